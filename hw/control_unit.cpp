@@ -1,0 +1,146 @@
+#include "hw/control_unit.h"
+
+#include "hw/selective/candidate_pixel_extractor.h"
+
+namespace artu::hw {
+
+void ControlUnit::reset() {
+  step_ = Step::fetch;
+  pass_ = 0;
+  issued_ = answered_ = 0;
+  lines_ = sizeof(FrameDescriptor) / line_bytes;
+  finished_at_ = never;
+  phase_began_ = 0;
+  phase_ = phase_start;
+  cycles_start_ = cycles_build_ = cycles_first_ = cycles_selective_ = cycles_flush_ = 0;
+}
+
+/// Reads the descriptor, then the lights it points to; true when all is in the registers.
+bool ControlUnit::fetch() {
+  if (ports_.memory->response.can_pop()) {
+    ports_.memory->response.pop();
+    ++answered_;
+    const std::uint64_t descriptor_lines = sizeof(FrameDescriptor) / line_bytes;
+    if (answered_ == descriptor_lines) {
+      registers_.descriptor = image_.at<FrameDescriptor>(descriptor_);
+      const FrameDescriptor& frame = registers_.descriptor;
+      registers_.shading = {frame.ambient, frame.sky_nadir, frame.sky_zenith, shading_.max_depth, shading_.min_weight};
+      registers_.lights.clear();
+      for (std::uint32_t i = 0; i < frame.light_count; ++i) {
+        registers_.lights.push_back(image_.at<LightRecord>(frame.lights + i * sizeof(LightRecord)));
+      }
+      lines_ = descriptor_lines + frame.light_count;
+    }
+  }
+  if (issued_ < lines_ && ports_.memory->request.can_push()) {
+    const std::uint64_t descriptor_lines = sizeof(FrameDescriptor) / line_bytes;
+    const Address line = issued_ < descriptor_lines
+                             ? descriptor_ + issued_ * line_bytes
+                             : registers_.descriptor.lights + (issued_ - descriptor_lines) * line_bytes;
+    ports_.memory->request.push({line, 0, 0, 0});
+    ++issued_;
+  }
+  return answered_ == lines_;
+}
+
+void ControlUnit::enter(Phase phase, Cycle now) {
+  const std::uint64_t elapsed = now - phase_began_;
+  switch (phase_) {
+    case phase_start: cycles_start_ += elapsed; break;
+    case phase_build: cycles_build_ += elapsed; break;
+    case phase_first: cycles_first_ += elapsed; break;
+    case phase_selective: cycles_selective_ += elapsed; break;
+    case phase_flush: cycles_flush_ += elapsed; break;
+  }
+  phase_ = phase;
+  phase_began_ = now;
+  for (Block* block : listeners_) block->set_phase(phase);
+}
+
+std::uint64_t ControlUnit::pixels_of(std::uint8_t pass) const {
+  const FrameDescriptor& frame = registers_.descriptor;
+  if (pass == 0) {
+    const std::uint32_t stride = selective_.enabled ? 2 : 1;
+    return TileWalk(frame.width, frame.height, selective_.tile, 0, stride, 0, stride).pixels();
+  }
+  if (!selective_.enabled) return 0;
+  return CandidatePixelExtractor::walk(pass, frame.width, frame.height, selective_.tile).pixels();
+}
+
+void ControlUnit::begin_pass(std::uint8_t pass, Cycle now) {
+  while (pass <= 2 && pixels_of(pass) == 0) ++pass;
+  pass_ = pass;
+  if (pass > 2) {
+    step_ = Step::flush;
+    enter(phase_flush, now);
+    ports_.flush->push({});
+    return;
+  }
+  step_ = Step::pass;
+  if (pass <= 1) enter(pass == 0 ? phase_first : phase_selective, now);
+  if (pass == 2 && phase_ != phase_selective) enter(phase_selective, now);
+  ports_.pass->push({pixels_of(pass)});
+  const auto stride = static_cast<std::uint8_t>(selective_.enabled ? 2 : 1);
+  (pass == 0 ? ports_.first : ports_.extract)->push({pass, stride});
+}
+
+Activity ControlUnit::tick(Cycle now) {
+  switch (step_) {
+    case Step::fetch: {
+      const std::uint64_t before = issued_ + answered_;
+      if (fetch()) {
+        const FrameDescriptor& frame = registers_.descriptor;
+        if (frame.dynamic_moved != 0 && frame.dynamic_triangle_count != 0) {
+          enter(phase_build, now);
+          ports_.build->push({});
+          step_ = Step::build;
+        } else {
+          begin_pass(0, now);
+        }
+        return {State::busy, now + 1};
+      }
+      if (issued_ + answered_ != before) return {State::busy, now + 1};
+      return {State::stall_mem};
+    }
+    case Step::build:
+      if (!ports_.built->can_pop()) return {State::stall_in};
+      ports_.built->pop();
+      begin_pass(0, now);
+      return {State::busy, now + 1};
+    case Step::pass:
+      if (!ports_.written->can_pop()) return {State::stall_in};
+      ports_.written->pop();
+      begin_pass(static_cast<std::uint8_t>(pass_ + 1), now);
+      return {State::busy, now + 1};
+    case Step::flush:
+      if (!ports_.flushed->can_pop()) return {State::stall_mem};
+      ports_.flushed->pop();
+      enter(phase_flush, now);
+      finished_at_ = now;
+      step_ = Step::finished;
+      domain().finish();
+      return {State::busy};
+    case Step::finished:
+      break;
+  }
+  return {State::idle};
+}
+
+void ControlUnit::report(Statistics& out) const {
+  const std::string block = path();
+  out.push_back({block, "cycles_start", cycles_start_, "cycles", "phase: descriptor and lights are read"});
+  out.push_back({block, "cycles_build", cycles_build_, "cycles", "phase: the dynamic tree is built"});
+  out.push_back({block, "cycles_first", cycles_first_, "cycles", "phase: sampling pixels are traced"});
+  out.push_back({block, "cycles_selective", cycles_selective_, "cycles", "phase: candidates are interpolated or traced"});
+  out.push_back({block, "cycles_flush", cycles_flush_, "cycles", "phase: the frame is written back to DRAM"});
+}
+
+std::string ControlUnit::describe() const {
+  static const char* const names[] = {"reads the descriptor", "waits for the tree builder", "waits for the end of pass ",
+                                      "waits for the write-back", "finished"};
+  std::string text = names[static_cast<std::size_t>(step_)];
+  if (step_ == Step::pass) text += std::to_string(pass_);
+  return text;
+}
+
+}  // namespace artu::hw

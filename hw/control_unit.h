@@ -1,0 +1,73 @@
+// Sequences a frame: descriptor, tree build, first pass, selective passes, write-back (patent, control unit; [0076]).
+//
+// In:  start; lines of the descriptor and the lights; `built`, `written`, `flushed`.
+// Out: commands to the tree builder, the first rendering unit, the candidate-pixel extractor, the frame writer and
+//      the L2; the frame registers.
+// A pass begins when all pixels of the one before are in memory: that is how the hazards between passes are resolved.
+// Not started: building where there is no dynamic geometry or it has not moved; passes without pixels.
+#pragma once
+
+#include "hw/fabric/memory_port.h"
+#include "hw/frame_registers.h"
+#include "hw/memory/cache.h"
+#include "hw/memory/image.h"
+#include "hw/memory/frame_writer.h"
+#include "hw/memory/tree_builder.h"
+#include "hw/selective/tokens.h"
+
+namespace artu::hw {
+
+class ControlUnit : public Block {
+ public:
+  ControlUnit(sc_core::sc_module_name name, ClockDomain& domain, const SelectiveConfig& selective,
+              const ShadingConfig& shading, FrameRegisters& registers, const MemoryImage& image)
+      : Block(name, domain), selective_(selective), shading_(shading), registers_(registers), image_(image) {}
+
+  struct Ports {
+    MemoryLink* memory;
+    Fifo<BuildToken>* build;
+    Fifo<BuildToken>* built;
+    Fifo<PassCommand>* first;
+    Fifo<PassCommand>* extract;
+    Fifo<PassSize>* pass;
+    Fifo<PassSize>* written;
+    Fifo<CacheCommand>* flush;
+    Fifo<CacheCommand>* flushed;
+  };
+  void bind(const Ports& ports) { ports_ = ports; }
+  /// Blocks that are told of a change of phase.
+  void add_listener(Block& block) { listeners_.push_back(&block); }
+
+  /// Where the next frame's descriptor lies; read at reset.
+  void set_descriptor(Address descriptor) { descriptor_ = descriptor; }
+  /// The cycle in which the frame was complete; `never` before.
+  Cycle finished_at() const { return finished_at_; }
+
+  void reset() override;
+  void report(Statistics& out) const override;
+  std::string describe() const override;
+
+ private:
+  enum class Step : std::uint8_t { fetch, build, pass, flush, finished };
+  Activity tick(Cycle now) override;
+  bool fetch();
+  void enter(Phase phase, Cycle now);
+  void begin_pass(std::uint8_t pass, Cycle now);
+  std::uint64_t pixels_of(std::uint8_t pass) const;
+
+  const SelectiveConfig selective_;
+  const ShadingConfig shading_;
+  FrameRegisters& registers_;
+  const MemoryImage& image_;
+  Ports ports_{};
+  std::vector<Block*> listeners_;
+  Address descriptor_ = 0;
+  Step step_ = Step::fetch;
+  std::uint8_t pass_ = 0;
+  std::uint64_t lines_ = 0, issued_ = 0, answered_ = 0;
+  Cycle finished_at_ = never, phase_began_ = 0;
+  Phase phase_ = phase_start;
+  std::uint64_t cycles_start_ = 0, cycles_build_ = 0, cycles_first_ = 0, cycles_selective_ = 0, cycles_flush_ = 0;
+};
+
+}  // namespace artu::hw

@@ -1,0 +1,42 @@
+#include "hw/datapath/ray.h"
+
+namespace artu::hw {
+
+Ray primary_ray(const CameraRegisters& camera, std::uint32_t x, std::uint32_t y) {
+  const float fx = static_cast<float>(x) + 0.5f;
+  const float fy = static_cast<float>(y) + 0.5f;
+  Ray ray;
+  ray.origin = (camera.origin + camera.origin_du * fx) + camera.origin_dv * fy;
+  ray.direction = unit((camera.corner + camera.du * fx) + camera.dv * fy);
+  return ray;
+}
+
+namespace {
+float limited_inverse(float d) {
+  const float inverse = 1.0f / d;
+  return std::fabs(inverse) < two_pow_100 ? inverse : std::copysign(two_pow_100, d);
+}
+}  // namespace
+
+void set_up(Ray& ray) {
+  const Vector d = ray.direction;
+  ray.inverse = {limited_inverse(d.x), limited_inverse(d.y), limited_inverse(d.z)};
+  int kz = 0;
+  if (std::fabs(d.y) > std::fabs(d[kz])) kz = 1;
+  if (std::fabs(d.z) > std::fabs(d[kz])) kz = 2;
+  int kx = (kz + 1) % 3;
+  int ky = (kz + 2) % 3;
+  if (d[kz] < 0) {
+    const int swapped = kx;
+    kx = ky;
+    ky = swapped;
+  }
+  ray.kx = static_cast<std::uint8_t>(kx);
+  ray.ky = static_cast<std::uint8_t>(ky);
+  ray.kz = static_cast<std::uint8_t>(kz);
+  ray.sx = d[kx] / d[kz];
+  ray.sy = d[ky] / d[kz];
+  ray.sz = 1.0f / d[kz];
+}
+
+}  // namespace artu::hw

@@ -1,0 +1,28 @@
+// A ray and its set-up for the box and the triangle test (docs/arithmetic.md section 2).
+#pragma once
+
+#include "hw/datapath/vector.h"
+
+namespace artu::hw {
+
+struct Ray {
+  Vector origin, direction;
+  float tmax = two_pow_100;  // tmin is 0
+  // Set-up:
+  Vector inverse;                 // 1 / direction, limited to 2^100 in magnitude
+  float sx = 0, sy = 0, sz = 0;   // shear
+  std::uint8_t kx = 0, ky = 1, kz = 2;
+};
+
+/// The pixel ray's camera: see traces' camera, whose fields these are.
+struct CameraRegisters {
+  Vector origin, origin_du, origin_dv, corner, du, dv;
+};
+
+/// Origin and direction of the primary ray of pixel (x, y); the direction is zero for a dead ray.
+Ray primary_ray(const CameraRegisters& camera, std::uint32_t x, std::uint32_t y);
+
+/// Fills the set-up fields from origin and direction, which must not be dead.
+void set_up(Ray& ray);
+
+}  // namespace artu::hw

@@ -1,0 +1,52 @@
+// Shading and next-ray set-up (docs/arithmetic.md section 7), as steps between which a shadow ray is traced.
+#pragma once
+
+#include "hw/datapath/hit_point.h"
+
+namespace artu::hw {
+
+/// What every ray of a frame needs to be shaded.
+struct ShadingConstants {
+  Vector ambient, sky_nadir, sky_zenith;
+  std::uint32_t max_depth = 0;
+  float min_weight = 0;
+};
+
+/// Colour of a ray that misses.
+Vector sky(const ShadingConstants& constants, Vector direction);
+
+/// A hit's material after its texture, where the light loop and the next rays read it.
+struct ShadedPoint {
+  Vector direction;                  // of the ray that hit
+  Vector weight;                     // T
+  Vector geometric_normal, shading_normal, outside, inside;
+  Vector diffuse, specular, mirror, transmission;
+  float ior = 1;
+  std::uint32_t specular_log2 = 0;
+  bool front = true;
+};
+
+/// Fills the point; returns emission and ambient, to be added to the pixel with weight T.
+Vector begin_shading(const ShadingConstants& constants, const Surface& surface, const MaterialRecord& material,
+                     Vector texture, Vector direction, Vector weight, ShadedPoint& point);
+
+/// A shadow ray towards a light and what the light adds (already weighted) if the ray hits nothing.
+struct ShadowRay {
+  Vector direction;
+  float tmax = two_pow_100;
+  Vector contribution;
+};
+
+/// False if the light cannot add anything: no shadow ray.
+bool light_contribution(const ShadedPoint& point, const LightRecord& light, ShadowRay& shadow);
+
+/// Rays to follow from a hit; a weight is zero where there is no ray.
+struct NextRays {
+  bool reflection = false, refraction = false;
+  Vector reflection_direction, reflection_weight;
+  Vector refraction_direction, refraction_weight;
+};
+
+NextRays next_rays(const ShadingConstants& constants, const ShadedPoint& point);
+
+}  // namespace artu::hw

@@ -1,0 +1,78 @@
+// A block of the chip: ticked by its clock domain when awake, accounted for in every cycle.
+#pragma once
+
+#include <array>
+#include <string>
+#include <systemc>
+
+#include "hw/fabric/statistics.h"
+#include "hw/fabric/timeline.h"
+
+namespace artu::hw {
+
+/// What a block does in a cycle; every cycle of every block is exactly one of these.
+enum class State : std::uint8_t {
+  busy,       // moves a token or has one in its pipeline
+  stall_in,   // nothing to do while its phase of the frame is not finished: starved
+  stall_out,  // blocked by a full channel
+  stall_mem,  // waits for memory
+  idle        // has no part in this phase of the frame
+};
+inline constexpr std::size_t state_count = 5;
+
+/// Returned by a block's tick: what this cycle was, and when the block must be ticked again at the latest
+/// (a channel wakes it earlier).  Until then the state stays what it is: that is the contract which makes
+/// sleeping blocks exact, and ticking one more often than it asks must change nothing.
+struct Activity {
+  State state;
+  Cycle next = never;
+};
+
+class ClockDomain;
+
+class Block : public sc_core::sc_module {
+ public:
+  Block(sc_core::sc_module_name name, ClockDomain& domain);
+
+  /// Back to the state before any frame; called at the start of every frame.
+  virtual void reset() = 0;
+  /// Appends the block's own counters (not the cycle classes).
+  virtual void report(Statistics& out) const {}
+  /// One line for the picture of a dead-lock.
+  virtual std::string describe() const { return {}; }
+
+  ClockDomain& domain() { return domain_; }
+  Cycle now() const;
+  std::uint64_t cycles_in(State state) const { return cycles_[static_cast<std::size_t>(state)]; }
+  State state() const { return state_; }
+  /// Instance path below the unit, such as "core0.traversal".
+  std::string path() const;
+  /// Which phases of the frame the block has a part in (bits of Phase); outside them waiting is idling.
+  void takes_part_in(unsigned phases) { phases_ = phases; }
+  /// From the next cycle on.
+  void set_phase(unsigned phase);
+
+ protected:
+  virtual Activity tick(Cycle now) = 0;
+  void wake_at(Cycle cycle);
+
+ private:
+  friend class ClockDomain;
+  void run(Cycle now);
+  void begin_frame(Cycle now);
+  void end_frame(Cycle now) { account(now); }
+  void account(Cycle now) {
+    cycles_[static_cast<std::size_t>(state_)] += now - since_;
+    since_ = now;
+  }
+
+  ClockDomain& domain_;
+  std::size_t index_ = 0;  // in the domain's wake list
+  State state_ = State::idle;
+  Cycle since_ = 0;
+  unsigned phases_ = ~0u, phase_ = 1, next_phase_ = 1;
+  Cycle phase_from_ = 0;
+  std::array<std::uint64_t, state_count> cycles_{};
+};
+
+}  // namespace artu::hw

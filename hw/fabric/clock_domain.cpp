@@ -1,0 +1,219 @@
+#include "hw/fabric/clock_domain.h"
+
+#include <algorithm>
+
+namespace artu::hw {
+
+ClockDomain::ClockDomain(sc_core::sc_module_name name, Timeline& timeline, Tick period, double tick_seconds)
+    : sc_module(name), timeline_(timeline), period_(period), tick_seconds_(tick_seconds) {
+  timeline_.domains.push_back(this);
+  SC_HAS_PROCESS(ClockDomain);
+  SC_METHOD(step);
+  sensitive << due_;
+  dont_initialize();
+}
+
+std::size_t ClockDomain::add(Block& block) {
+  blocks_.push_back(&block);
+  words_ = (blocks_.size() + 63) / 64;
+  wheel_.assign(words_ * slots, 0);
+  return blocks_.size() - 1;
+}
+
+void ClockDomain::set_shuffle(bool shuffle, std::uint64_t seed) {
+  shuffle_ = shuffle;
+  random_.seed(seed);
+}
+
+void ClockDomain::wake(const Block& block, Cycle cycle) {
+  if (cycle >= now_ + slots) {
+    far_.push_back({cycle, block.index_});
+    far_next_ = std::min(far_next_, cycle);
+  } else {
+    const std::size_t slot = cycle % slots;
+    wheel_[slot * words_ + block.index_ / 64] |= std::uint64_t{1} << (block.index_ % 64);
+    occupied_[slot / 64] |= std::uint64_t{1} << (slot % 64);
+  }
+  // Another domain's block woke one of ours: our event may have to come earlier.
+  if (!working_ && running_) schedule();
+}
+
+void ClockDomain::begin_frame() {
+  std::fill(wheel_.begin(), wheel_.end(), 0);
+  std::fill(std::begin(occupied_), std::end(occupied_), 0);
+  far_.clear();
+  far_next_ = never;
+  now_ = 0;
+  watched_from_ = 0;
+  dead_locked_ = false;
+  running_ = true;
+  frame_start_ = sc_core::sc_time_stamp();
+  working_ = true;
+  for (Block* block : blocks_) {
+    block->reset();
+    block->begin_frame(0);
+  }
+  for (Block* block : blocks_) wake(*block, 1);
+  working_ = false;
+  schedule();
+}
+
+void ClockDomain::end_frame(Cycle cycle) {
+  for (Block* block : blocks_) block->end_frame(cycle);
+}
+
+void ClockDomain::finish() {
+  for (ClockDomain* domain : timeline_.domains) domain->stop();
+}
+
+void ClockDomain::stop() {
+  running_ = false;
+  due_.cancel();
+}
+
+Cycle ClockDomain::next_cycle() const {
+  if (clocked_) return now_ + 1;
+  // Scan the occupancy bits from the slot after the present one, once round.
+  Cycle found = never;
+  const std::size_t start = (now_ + 1) % slots;
+  std::size_t word = start / 64;
+  std::uint64_t bits = occupied_[word] & (~std::uint64_t{0} << (start % 64));
+  for (std::size_t i = 0; i <= slots / 64; ++i) {
+    if (bits != 0) {
+      const std::size_t slot = word * 64 + static_cast<std::size_t>(__builtin_ctzll(bits));
+      found = now_ + 1 + (slot + slots - start) % slots;
+      break;
+    }
+    word = (word + 1) % (slots / 64);
+    bits = occupied_[word];
+    if (i + 1 == slots / 64) bits &= ~(~std::uint64_t{0} << (start % 64));
+  }
+  return std::min(found, far_next_);
+}
+
+Tick ClockDomain::next_tick() const {
+  if (!running_) return never;
+  const Cycle cycle = next_cycle();
+  return cycle == never ? never : cycle * period_;
+}
+
+void ClockDomain::schedule() {
+  const Tick tick = next_tick();
+  if (tick == never) return;
+  const sc_core::sc_time at =
+      frame_start_ + sc_core::sc_time(static_cast<double>(tick) * tick_seconds_, sc_core::SC_SEC);
+  const sc_core::sc_time present = sc_core::sc_time_stamp();
+  due_.cancel();
+  due_.notify(at > present ? at - present : sc_core::SC_ZERO_TIME);
+}
+
+void ClockDomain::refill(Cycle cycle) {
+  // Only now_ has moved on: wakes that came within the wheel's reach go onto it.
+  far_next_ = never;
+  std::size_t kept = 0;
+  for (const Far& far : far_) {
+    if (far.cycle < cycle + slots) {
+      wake(*blocks_[far.block], far.cycle);
+    } else {
+      far_next_ = std::min(far_next_, far.cycle);
+      far_[kept++] = far;
+    }
+  }
+  far_.resize(kept);
+}
+
+void ClockDomain::step() {
+  while (running_) {
+    const Cycle cycle = next_cycle();
+    if (cycle == never) return;  // asleep until another domain wakes a block
+    const Tick tick = cycle * period_;
+    // Run on without going through the kernel for as long as no other domain has an earlier edge.
+    for (const ClockDomain* other : timeline_.domains) {
+      if (other != this && other->next_tick() < tick) {
+        schedule();
+        return;
+      }
+    }
+    timeline_.now = tick;
+    work(cycle);
+    if (cycle - watched_from_ >= watchdog_) {
+      if (watched_progress_ == timeline_.progress) {
+        dead_locked_ = true;
+        finish();
+      }
+      watched_from_ = cycle;
+      watched_progress_ = timeline_.progress;
+    }
+  }
+}
+
+void ClockDomain::work(Cycle cycle) {
+  working_ = true;
+  now_ = cycle;
+  if (far_next_ < cycle + slots) refill(cycle);
+  const std::size_t slot = cycle % slots;
+  std::uint64_t* words = &wheel_[slot * words_];
+  occupied_[slot / 64] &= ~(std::uint64_t{1} << (slot % 64));
+  if (clocked_ || shuffle_) {
+    order_.clear();
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      if (clocked_ || (words[i / 64] >> (i % 64) & 1) != 0) order_.push_back(i);
+    }
+    std::fill(words, words + words_, 0);
+    if (shuffle_) std::shuffle(order_.begin(), order_.end(), random_);
+    for (std::size_t i : order_) blocks_[i]->run(cycle);
+    ticks_done_ += order_.size();
+  } else {
+    for (std::size_t w = 0; w < words_; ++w) {
+      std::uint64_t bits = words[w];
+      words[w] = 0;
+      while (bits != 0) {
+        const std::size_t i = w * 64 + static_cast<std::size_t>(__builtin_ctzll(bits));
+        bits &= bits - 1;
+        blocks_[i]->run(cycle);
+        ++ticks_done_;
+      }
+    }
+  }
+  working_ = false;
+}
+
+Block::Block(sc_core::sc_module_name name, ClockDomain& domain)
+    : sc_module(name), domain_(domain), index_(domain.add(*this)) {}
+
+Cycle Block::now() const { return domain_.now(); }
+
+std::string Block::path() const {
+  const std::string full = name();
+  const std::size_t dot = full.find('.');
+  return dot == std::string::npos ? full : full.substr(dot + 1);
+}
+
+void Block::wake_at(Cycle cycle) { domain_.wake(*this, cycle); }
+
+void Block::set_phase(unsigned phase) {
+  next_phase_ = phase;
+  phase_from_ = domain_.now() + 1;
+  domain_.wake(*this, phase_from_);
+}
+
+void Block::begin_frame(Cycle now) {
+  cycles_.fill(0);
+  state_ = State::idle;
+  since_ = now;
+  phase_ = next_phase_ = 1;
+  phase_from_ = 0;
+}
+
+void Block::run(Cycle now) {
+  account(now);
+  if (now >= phase_from_) phase_ = next_phase_;
+  const Activity activity = tick(now);
+  state_ = activity.state == State::stall_in && (phases_ & phase_) == 0 ? State::idle : activity.state;
+  if (activity.next != never) domain_.wake(*this, activity.next);
+}
+
+}  // namespace artu::hw
+
+// The SystemC library wants this symbol from every program; here the kernel is driven by sc_start alone.
+int sc_main(int, char*[]) { return 0; }

@@ -1,0 +1,89 @@
+// One clock: a wake list of blocks, driven by a single SystemC method.
+//
+// A block that has nothing to do is not on the list; when the list is empty the domain waits for one
+// timed event, at the next cycle in which anything can happen.  In clocked mode every block is ticked in
+// every cycle: the same cycles, slower, which is the check on the wake list.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <systemc>
+#include <vector>
+
+#include "hw/fabric/block.h"
+
+namespace artu::hw {
+
+class ClockDomain : public sc_core::sc_module {
+ public:
+  /// `period` in ticks of the timeline; `tick` is their length.
+  ClockDomain(sc_core::sc_module_name name, Timeline& timeline, Tick period, double tick_seconds);
+
+  Cycle now() const { return now_; }
+  Tick period() const { return period_; }
+  Timeline& timeline() { return timeline_; }
+  /// The first cycle of this domain that begins strictly after `tick`.
+  Cycle cycle_after(Tick tick) const { return tick / period_ + 1; }
+
+  /// Stops the frame when no token moves for this many cycles.
+  void set_watchdog(Cycle cycles) { watchdog_ = cycles; }
+  /// Whether the last frame ended because nothing moved any more.
+  bool dead_locked() const { return dead_locked_; }
+
+  /// Asks for a tick of the block in `cycle`, which is later than the present one.
+  void wake(const Block& block, Cycle cycle);
+
+  void set_clocked(bool clocked) { clocked_ = clocked; }
+  void set_shuffle(bool shuffle, std::uint64_t seed);
+
+  /// Cycle 0 of a frame: resets all blocks and ticks each of them once.
+  void begin_frame();
+  void end_frame(Cycle cycle);
+  /// Called by a block: the frame ends with the present cycle; no domain has another one until the next frame.
+  void finish();
+  void stop();
+
+  std::uint64_t ticks_done() const { return ticks_done_; }
+  const std::vector<Block*>& blocks() const { return blocks_; }
+
+ private:
+  friend class Block;
+  static constexpr std::size_t slots = 256;  // cycles ahead that the wheel covers
+
+  std::size_t add(Block& block);
+  void step();
+  void work(Cycle cycle);
+  Cycle next_cycle() const;
+  Tick next_tick() const;
+  void schedule();
+  void refill(Cycle cycle);
+
+  Timeline& timeline_;
+  const Tick period_;
+  const double tick_seconds_;
+  sc_core::sc_time frame_start_;
+  sc_core::sc_event due_;
+  std::vector<Block*> blocks_;
+
+  // Wheel: for each of the next `slots` cycles one bit a block; wakes further ahead wait in far_.
+  std::size_t words_ = 0;
+  std::vector<std::uint64_t> wheel_;
+  std::uint64_t occupied_[slots / 64] = {};
+  struct Far {
+    Cycle cycle;
+    std::size_t block;
+  };
+  std::vector<Far> far_;
+  Cycle far_next_ = never;
+
+  Cycle now_ = 0;
+  Cycle watchdog_ = never, watched_from_ = 0;
+  std::uint64_t watched_progress_ = 0;
+  bool dead_locked_ = false;
+  bool running_ = false, working_ = false, clocked_ = false, shuffle_ = false;
+  std::mt19937_64 random_;
+  std::vector<std::size_t> order_;
+  std::uint64_t ticks_done_ = 0;
+};
+
+}  // namespace artu::hw

@@ -1,0 +1,136 @@
+// A timed channel: latency, capacity, back-pressure; one producer, one consumer.
+//
+// What is pushed in a cycle can be popped `latency` cycles later (at least one), what is popped in a cycle
+// frees its entry for the producer in the next: so the order in which the blocks of a cycle are ticked
+// cannot matter.  A push wakes the consumer, a pop wakes a producer that found the channel full.
+// Producer and consumer may be in different clock domains; the latency is in the consumer's cycles.
+#pragma once
+
+#include <cassert>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "hw/fabric/clock_domain.h"
+
+namespace artu::hw {
+
+/// What all channels have in common: names and ends for the picture of a dead-lock, random stalls.
+class Channel {
+ public:
+  Channel(std::string name, std::uint32_t capacity, std::uint32_t latency)
+      : name_(std::move(name)), capacity_(capacity), latency_(latency) {}
+  virtual ~Channel() = default;
+  Channel(const Channel&) = delete;
+  Channel& operator=(const Channel&) = delete;
+
+  void bind(Block& producer, Block& consumer) {
+    producer_ = &producer;
+    consumer_ = &consumer;
+    timeline_ = &producer.domain().timeline();
+    same_domain_ = &producer.domain() == &consumer.domain();
+  }
+  virtual void reset() = 0;
+  /// Adds a random latency to pushes; order is kept.
+  void stall_randomly(std::uint64_t seed) {
+    stalls_ = true;
+    seed_ = seed;
+  }
+
+  const std::string& name() const { return name_; }
+  std::uint32_t capacity() const { return capacity_; }
+  std::uint32_t size() const { return count_; }
+  const Block* producer() const { return producer_; }
+  const Block* consumer() const { return consumer_; }
+
+ protected:
+  std::string name_;
+  std::uint32_t capacity_, latency_;
+  Block* producer_ = nullptr;
+  Block* consumer_ = nullptr;
+  Timeline* timeline_ = nullptr;
+  bool same_domain_ = true, stalls_ = false;
+  std::uint64_t seed_ = 0;
+  std::minstd_rand random_;
+  std::uint32_t count_ = 0;
+};
+
+template <class Token>
+class Fifo : public Channel {
+ public:
+  /// `capacity` entries, those in flight included; `latency` >= 1 cycles of the consumer's clock.
+  Fifo(std::string name, std::uint32_t capacity, std::uint32_t latency = 1)
+      : Channel(std::move(name), capacity, latency) {
+    std::size_t physical = 1;
+    while (physical < capacity) physical *= 2;
+    entries_.resize(physical);
+    mask_ = physical - 1;
+  }
+
+  void reset() override {
+    head_ = tail_ = 0;
+    count_ = 0;
+    popped_now_ = 0;
+    last_pop_ = never;
+    last_ready_ = 0;
+    producer_waits_ = false;
+    random_.seed(static_cast<std::minstd_rand::result_type>(seed_));
+  }
+
+  /// Producer: whether there is room for `n` more.  If not, the producer is woken when an entry is freed.
+  bool can_push(std::uint32_t n = 1) {
+    const std::uint32_t freed_later = last_pop_ == timeline_->now ? popped_now_ : 0;
+    if (count_ + freed_later + n <= capacity_) return true;
+    producer_waits_ = true;
+    return false;
+  }
+
+  /// `extra` cycles on top of the channel's latency must not let a token overtake an earlier one.
+  void push(const Token& token, std::uint32_t extra = 0) {
+    assert(count_ < capacity_);
+    ClockDomain& domain = consumer_->domain();
+    Cycle ready = (same_domain_ ? domain.now() : domain.cycle_after(timeline_->now) - 1) + latency_ + extra;
+    if (stalls_ && random_() % 4 == 0) ready += random_() % 16;
+    if (ready < last_ready_) ready = last_ready_;
+    last_ready_ = ready;
+    Entry& entry = entries_[tail_++ & mask_];
+    entry.ready = ready;
+    entry.token = token;
+    ++count_;
+    ++timeline_->progress;
+    domain.wake(*consumer_, ready);
+  }
+
+  /// Consumer: whether a token has arrived.
+  bool can_pop() const { return count_ != 0 && entries_[head_ & mask_].ready <= consumer_->now(); }
+  const Token& front() const { return entries_[head_ & mask_].token; }
+  void pop() {
+    ++head_;
+    --count_;
+    ++timeline_->progress;
+    if (last_pop_ != timeline_->now) {
+      last_pop_ = timeline_->now;
+      popped_now_ = 0;
+    }
+    ++popped_now_;
+    if (producer_waits_) {
+      producer_waits_ = false;
+      ClockDomain& domain = producer_->domain();
+      domain.wake(*producer_, same_domain_ ? domain.now() + 1 : domain.cycle_after(timeline_->now));
+    }
+  }
+
+ private:
+  struct Entry {
+    Cycle ready;
+    Token token;
+  };
+  std::vector<Entry> entries_;
+  std::size_t mask_ = 0, head_ = 0, tail_ = 0;
+  std::uint32_t popped_now_ = 0;
+  Tick last_pop_ = never;
+  Cycle last_ready_ = 0;
+  bool producer_waits_ = false;
+};
+
+}  // namespace artu::hw

@@ -1,0 +1,25 @@
+// Simulated time shared by the clock domains of one unit, in integer ticks.
+//
+// A tick is a common divisor of all clock periods, so every edge of every domain is a whole number of
+// ticks, and "earlier", "later" and "at the same time" are exact across domains.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace artu::hw {
+
+using Tick = std::uint64_t;
+using Cycle = std::uint64_t;
+
+inline constexpr std::uint64_t never = ~std::uint64_t{0};
+
+class ClockDomain;
+
+struct Timeline {
+  Tick now = 0;                 // the edge that is being worked on
+  std::uint64_t progress = 0;   // tokens moved so far: the watchdog looks whether this changes
+  std::vector<ClockDomain*> domains;
+};
+
+}  // namespace artu::hw

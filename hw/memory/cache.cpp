@@ -1,0 +1,227 @@
+#include "hw/memory/cache.h"
+
+#include <algorithm>
+
+namespace artu::hw {
+
+namespace {
+constexpr std::uint32_t write_back_tag = 0xffffffffu;
+constexpr std::uint64_t whole_line = ~std::uint64_t{0};
+}  // namespace
+
+Cache::Cache(sc_core::sc_module_name name, ClockDomain& domain, const CacheConfig& config)
+    : Block(name, domain), config_(config), sets_(config.size / line_bytes / config.ways) {
+  lines_.resize(sets_ * config.ways);
+  mshrs_.resize(config.mshrs);
+  for (Mshr& mshr : mshrs_) mshr.targets.reserve(config.targets);
+}
+
+void Cache::invalidate() { std::fill(lines_.begin(), lines_.end(), Line{}); }
+
+void Cache::reset() {
+  invalidate();
+  for (Mshr& mshr : mshrs_) {
+    mshr.busy = mshr.filled = mshr.dirty = false;
+    mshr.targets.clear();
+  }
+  filled_.clear();
+  filled_head_ = 0;
+  busy_mshrs_ = outstanding_writes_ = 0;
+  arbiter_.reset();
+  clock_ = 0;
+  flushing_ = false;
+  hits_ = misses_ = merged_ = fills_ = write_backs_ = reads_ = writes_ = 0;
+}
+
+Cache::Line* Cache::find(Address line) {
+  Line* set = &lines_[((line / line_bytes) & (sets_ - 1)) * config_.ways];
+  for (std::uint32_t way = 0; way < config_.ways; ++way) {
+    if (set[way].tag == line) return &set[way];
+  }
+  return nullptr;
+}
+
+Cache::Line* Cache::victim(Address line) {
+  Line* set = &lines_[((line / line_bytes) & (sets_ - 1)) * config_.ways];
+  return std::min_element(set, set + config_.ways, [](const Line& a, const Line& b) { return a.used < b.used; });
+}
+
+Cache::Mshr* Cache::mshr_of(Address line) {
+  if (busy_mshrs_ == 0) return nullptr;
+  for (Mshr& mshr : mshrs_) {
+    if (mshr.busy && mshr.line == line) return &mshr;
+  }
+  return nullptr;
+}
+
+/// Puts a line in its set; false if the victim is dirty and cannot be written back in this cycle.
+bool Cache::install(Address line, bool dirty) {
+  Line* place = victim(line);
+  if (place->tag != 0 && place->dirty) {
+    if (!below_->request.can_push()) return false;
+    below_->request.push({place->tag, whole_line, write_back_tag, 0});
+    ++outstanding_writes_;
+    ++write_backs_;
+  }
+  *place = {line, ++clock_, dirty};
+  return true;
+}
+
+/// (1) A line, or the acknowledgement of a write-back, from below.
+bool Cache::accept_fill() {
+  if (!below_->response.can_pop()) return false;
+  const std::uint32_t tag = below_->response.front().tag;
+  if (tag == write_back_tag) {
+    --outstanding_writes_;
+    below_->response.pop();
+    return true;
+  }
+  Mshr& mshr = mshrs_[tag];
+  if (!install(mshr.line, mshr.dirty)) return false;
+  below_->response.pop();
+  ++fills_;
+  mshr.filled = true;
+  mshr.answered = 0;
+  filled_.push_back(tag);
+  return true;
+}
+
+/// (2) One of the requests that waited for a line that is now here.
+bool Cache::answer_target() {
+  if (filled_head_ == filled_.size()) return false;
+  Mshr& mshr = mshrs_[filled_[filled_head_]];
+  const Target& target = mshr.targets[mshr.answered];
+  Fifo<MemoryResponse>& response = clients_[target.client]->response;
+  if (!response.can_push()) return false;
+  response.push({target.tag, target.source});
+  if (++mshr.answered == mshr.targets.size()) {
+    mshr.busy = mshr.filled = mshr.dirty = false;
+    mshr.targets.clear();
+    --busy_mshrs_;
+    if (++filled_head_ == filled_.size()) {
+      filled_.clear();
+      filled_head_ = 0;
+    }
+  }
+  return true;
+}
+
+bool Cache::miss(std::size_t client, const MemoryRequest& request) {
+  const Target target{request.tag, request.source, static_cast<std::uint16_t>(client)};
+  if (Mshr* mshr = mshr_of(request.line)) {
+    // A filled one is being emptied: its line may already be gone again, so wait for it to be free.
+    if (mshr->filled || mshr->targets.size() == config_.targets) return false;
+    mshr->targets.push_back(target);
+    mshr->dirty |= request.write();
+    ++misses_;
+    ++merged_;
+    return true;
+  }
+  if (request.bytes == whole_line) {
+    Fifo<MemoryResponse>& response = clients_[client]->response;
+    if (!response.can_push() || !install(request.line, true)) return false;
+    response.push({request.tag, request.source});
+    ++misses_;
+    return true;
+  }
+  if (busy_mshrs_ == config_.mshrs || !below_->request.can_push()) return false;
+  const auto free = std::find_if(mshrs_.begin(), mshrs_.end(), [](const Mshr& m) { return !m.busy; });
+  free->busy = true;
+  free->line = request.line;
+  free->dirty = request.write();
+  free->targets.push_back(target);
+  ++busy_mshrs_;
+  ++misses_;
+  below_->request.push({request.line, 0, static_cast<std::uint32_t>(free - mshrs_.begin()), 0});
+  return true;
+}
+
+/// (3) The next request of a client.
+bool Cache::serve(std::size_t client, bool& blocked_out) {
+  MemoryLink& link = *clients_[client];
+  const MemoryRequest request = link.request.front();
+  if (Line* line = find(request.line)) {
+    if (!link.response.can_push()) {
+      blocked_out = true;
+      return false;
+    }
+    line->used = ++clock_;
+    line->dirty |= request.write();
+    link.response.push({request.tag, request.source});
+    ++hits_;
+  } else if (!miss(client, request)) {
+    return false;
+  }
+  ++(request.write() ? writes_ : reads_);
+  link.request.pop();
+  return true;
+}
+
+/// Writes back one dirty line a cycle; true while there is something to do.
+bool Cache::flush_step() {
+  while (flush_at_ < lines_.size() && !(lines_[flush_at_].tag != 0 && lines_[flush_at_].dirty)) ++flush_at_;
+  if (flush_at_ < lines_.size()) {
+    if (!below_->request.can_push()) return false;
+    below_->request.push({lines_[flush_at_].tag, whole_line, write_back_tag, 0});
+    lines_[flush_at_].dirty = false;
+    ++outstanding_writes_;
+    ++write_backs_;
+    return true;
+  }
+  if (outstanding_writes_ != 0 || !flushed_->can_push()) return false;
+  flushed_->push({});
+  flushing_ = false;
+  return true;
+}
+
+Activity Cache::tick(Cycle now) {
+  bool moved = accept_fill();
+  bool blocked_out = false, blocked_mem = false;
+  if (answer_target()) {
+    moved = true;
+  } else if (filled_head_ != filled_.size()) {
+    blocked_out = true;
+  } else {
+    // A client whose request cannot be served does not keep the others from being served.
+    const std::size_t client = arbiter_.pick(clients_.size(), [&](std::size_t i) {
+      if (!clients_[i]->request.can_pop()) return false;
+      if (serve(i, blocked_out)) return true;
+      blocked_mem = true;
+      return false;
+    });
+    if (client != clients_.size()) {
+      arbiter_.granted(client, clients_.size());
+      moved = true;
+    }
+  }
+  if (flush_ != nullptr && !flushing_ && flush_->can_pop()) {
+    flush_->pop();
+    flushing_ = true;
+    flush_at_ = 0;
+    moved = true;
+  }
+  if (flushing_ && flush_step()) moved = true;
+
+  if (moved) return {State::busy, now + 1};
+  if (blocked_out) return {State::stall_out};
+  if (blocked_mem || busy_mshrs_ != 0 || outstanding_writes_ != 0) return {State::stall_mem};
+  return {State::stall_in};
+}
+
+void Cache::report(Statistics& out) const {
+  const std::string block = path();
+  out.push_back({block, "reads", reads_, "", "read requests served"});
+  out.push_back({block, "writes", writes_, "", "write requests served"});
+  out.push_back({block, "hits", hits_, "", "requests whose line was there"});
+  out.push_back({block, "misses", misses_, "", "requests whose line was not there"});
+  out.push_back({block, "merged_misses", merged_, "", "misses on a line that was already on its way"});
+  out.push_back({block, "fills", fills_, "lines", "lines fetched from below"});
+  out.push_back({block, "write_backs", write_backs_, "lines", "dirty lines written to below"});
+}
+
+std::string Cache::describe() const {
+  return std::to_string(busy_mshrs_) + " of " + std::to_string(config_.mshrs) + " lines outstanding, " +
+         std::to_string(outstanding_writes_) + " write-backs unacknowledged";
+}
+
+}  // namespace artu::hw

@@ -1,0 +1,96 @@
+// Set-associative cache with MSHRs, write-back, write-allocate; L1s and L2 alike.
+//
+// In:  one request channel a client, served round-robin, one request a cycle; lines from below, one a cycle.
+// Out: one response a cycle; requests to below.
+// Latency: `hit_latency` from a request's arrival to its response (the response channel's latency).
+// Hit under miss: a miss waits in an MSHR while later requests go on; a second miss on the same line waits in
+// the same MSHR.  Stalls a client whose miss finds no MSHR (stall_mem) or whose response channel is full (stall_out).
+// LRU replacement.  A write of a whole line allocates without a fetch.
+#pragma once
+
+#include <vector>
+
+#include "hw/fabric/memory_port.h"
+#include "hw/fabric/round_robin.h"
+#include "hw/unit_config.h"
+
+namespace artu::hw {
+
+struct CacheCommand {};
+
+class Cache : public Block {
+ public:
+  /// `below` must have room for `mshrs` responses: fills are never blocked.
+  Cache(sc_core::sc_module_name name, ClockDomain& domain, const CacheConfig& config);
+
+  /// Ports.
+  void add_client(MemoryLink& link) { clients_.push_back(&link); }
+  void bind_below(MemoryLink& link) { below_ = &link; }
+  /// Optional: a command writes all dirty lines back, `flushed` answers when the memory below has them.
+  void bind_flush(Fifo<CacheCommand>& flush, Fifo<CacheCommand>& flushed) {
+    flush_ = &flush;
+    flushed_ = &flushed;
+  }
+
+  /// Forgets all lines (none may be dirty); for a client that knows that memory has changed.
+  void invalidate();
+
+  void reset() override;
+  void report(Statistics& out) const override;
+  std::string describe() const override;
+
+  std::uint64_t fills() const { return fills_; }
+  std::uint64_t write_backs() const { return write_backs_; }
+  std::uint64_t hits() const { return hits_; }
+  std::uint64_t misses() const { return misses_; }
+  bool quiet() const { return busy_mshrs_ == 0 && outstanding_writes_ == 0; }
+
+ private:
+  struct Line {
+    Address tag = 0;  // line address, 0 = invalid (address 0 is never used)
+    std::uint64_t used = 0;
+    bool dirty = false;
+  };
+  struct Target {
+    std::uint32_t tag;
+    std::uint16_t source, client;
+  };
+  struct Mshr {
+    Address line = 0;
+    bool busy = false, filled = false, dirty = false;
+    std::uint32_t answered = 0;
+    std::vector<Target> targets;
+  };
+
+  Activity tick(Cycle now) override;
+  bool accept_fill();
+  bool answer_target();
+  bool serve(std::size_t client, bool& blocked_out);
+  bool miss(std::size_t client, const MemoryRequest& request);
+  bool flush_step();
+  Line* find(Address line);
+  Line* victim(Address line);
+  bool install(Address line, bool dirty);
+  Mshr* mshr_of(Address line);
+
+  const CacheConfig config_;
+  const std::size_t sets_;  // a power of two
+  std::vector<MemoryLink*> clients_;
+  MemoryLink* below_ = nullptr;
+  Fifo<CacheCommand>* flush_ = nullptr;
+  Fifo<CacheCommand>* flushed_ = nullptr;
+
+  std::vector<Line> lines_;
+  std::vector<Mshr> mshrs_;
+  std::vector<std::uint32_t> filled_;  // MSHRs with targets to answer, in order of their fills
+  std::size_t filled_head_ = 0;
+  std::uint32_t busy_mshrs_ = 0;
+  RoundRobin arbiter_;
+  std::uint64_t clock_ = 0;  // for LRU
+  bool flushing_ = false;
+  std::size_t flush_at_ = 0;
+  std::uint32_t outstanding_writes_ = 0;
+  std::uint64_t hits_ = 0, misses_ = 0, merged_ = 0, fills_ = 0, write_backs_ = 0, reads_ = 0, writes_ = 0;
+};
+
+}  // namespace artu::hw

@@ -1,0 +1,48 @@
+#include "hw/memory/interconnect.h"
+
+namespace artu::hw {
+
+void Interconnect::reset() {
+  arbiter_.reset();
+  requests_ = responses_ = 0;
+}
+
+Activity Interconnect::tick(Cycle now) {
+  bool moved = false, blocked = false;
+  const std::size_t chosen =
+      arbiter_.pick(masters_.size(), [&](std::size_t i) { return masters_[i]->request.can_pop(); });
+  if (chosen != masters_.size()) {
+    if (below_->request.can_push()) {
+      MemoryRequest request = masters_[chosen]->request.front();
+      request.source = static_cast<std::uint16_t>(chosen);
+      masters_[chosen]->request.pop();
+      below_->request.push(request);
+      arbiter_.granted(chosen, masters_.size());
+      ++requests_;
+      moved = true;
+    } else {
+      blocked = true;
+    }
+  }
+  if (below_->response.can_pop()) {
+    const MemoryResponse response = below_->response.front();
+    Fifo<MemoryResponse>& up = masters_[response.source]->response;
+    if (up.can_push()) {
+      up.push(response);
+      below_->response.pop();
+      ++responses_;
+      moved = true;
+    } else {
+      blocked = true;
+    }
+  }
+  if (moved) return {State::busy, now + 1};
+  return {blocked ? State::stall_out : State::stall_in};
+}
+
+void Interconnect::report(Statistics& out) const {
+  out.push_back({path(), "requests", requests_, "", "requests passed to the L2"});
+  out.push_back({path(), "responses", responses_, "", "responses passed to the masters"});
+}
+
+}  // namespace artu::hw

@@ -1,0 +1,80 @@
+// The state of a pixel in flight in a ray core: its register file entry.
+//
+// A pixel has one ray in flight at a time, so its context is worked on by one block at a time: the one that holds
+// the token with its number.  That is what keeps the order of the sums in docs/arithmetic.md section 7.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hw/datapath/shading.h"
+#include "hw/datapath/texture.h"
+#include "hw/pixel_record.h"
+
+namespace artu::hw {
+
+/// Token between the blocks of a core: the number of a context, 8 bits.
+using Slot = std::uint16_t;
+
+enum class RayKind : std::uint8_t { primary, shadow, reflection, refraction };
+inline constexpr std::size_t ray_kinds = 4;
+
+/// A pixel to trace: 16 + 16 bits.
+struct PixelJob {
+  std::uint16_t x = 0, y = 0;
+};
+
+inline constexpr std::size_t maximum_stack = 128;
+inline constexpr std::size_t maximum_depth = 16;
+
+struct PendingRay {
+  Vector origin, direction, weight;
+  RayKind kind = RayKind::reflection;
+  std::uint8_t depth = 0;
+};
+
+struct StackEntry {
+  std::uint32_t node;
+  float enter;
+};
+
+struct RayContext {
+  PixelJob pixel;
+  Vector sum;  // colour so far
+
+  // The ray in flight.
+  Ray ray;
+  Vector weight;
+  RayKind kind = RayKind::primary;
+  std::uint8_t depth = 0;
+
+  // Traversal.
+  bool found = false, dynamic = false;
+  TriangleHit best;
+  std::uint32_t best_primitive = 0, best_triangle = 0;
+  std::uint32_t next = 0;  // node to visit, or none: pop
+  std::uint32_t stack_size = 0;
+  std::array<StackEntry, maximum_stack> stack;
+
+  // Hit point and shading.
+  std::uint8_t outstanding = 0;  // memory requests
+  Surface surface;
+  ShadedPoint point;
+  Address material = 0;
+  TextureFootprint footprint{};
+  std::array<Address, 4> fetch{};
+  std::uint8_t fetch_count = 0, fetch_issued = 0;
+  bool texels_fetched = false;
+  std::uint32_t light = 0;
+  Vector contribution;  // of the light whose shadow ray is in flight
+  std::array<PendingRay, maximum_depth + 2> pending;
+  std::uint32_t pending_count = 0;
+
+  // The primary ray's hit, for the pixel's hit class and record.
+  HitClass hit_class = HitClass::miss;
+  std::uint32_t primary_primitive = 0, primary_t_bits = 0;
+};
+
+using RayContexts = std::vector<RayContext>;
+
+}  // namespace artu::hw

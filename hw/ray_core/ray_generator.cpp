@@ -1,0 +1,61 @@
+#include "hw/ray_core/ray_generator.h"
+
+namespace artu::hw {
+
+void RayGenerator::reset() {
+  free_.clear();
+  for (std::size_t slot = contexts_.size(); slot-- > 0;) free_.push_back(static_cast<Slot>(slot));
+  rays_.fill(0);
+}
+
+void RayGenerator::start(Slot slot, const PixelJob& job) {
+  RayContext& context = contexts_[slot];
+  context.pixel = job;
+  context.sum = {};
+  context.weight = {1, 1, 1};
+  context.kind = RayKind::primary;
+  context.depth = 0;
+  context.pending_count = 0;
+  context.ray = primary_ray(registers_.descriptor.camera, job.x, job.y);
+  if (!is_zero(context.ray.direction)) set_up(context.ray);
+}
+
+Activity RayGenerator::tick(Cycle now) {
+  bool moved = false;
+  if (freed_->can_pop()) {
+    free_.push_back(freed_->front());
+    freed_->pop();
+    moved = true;
+  }
+  if (next_rays_->can_pop() && others_->can_push()) {
+    const Slot slot = next_rays_->front();
+    next_rays_->pop();
+    set_up(contexts_[slot].ray);
+    ++rays_[static_cast<std::size_t>(contexts_[slot].kind)];
+    others_->push(slot);
+    moved = true;
+  } else if (jobs_->can_pop() && !free_.empty() && primary_->can_push()) {
+    const Slot slot = free_.back();
+    free_.pop_back();
+    start(slot, jobs_->front());
+    jobs_->pop();
+    ++rays_[static_cast<std::size_t>(RayKind::primary)];
+    primary_->push(slot);
+    moved = true;
+  }
+  if (moved) return {State::busy, now + 1};
+  return {State::stall_in};
+}
+
+void RayGenerator::report(Statistics& out) const {
+  static const char* const names[ray_kinds] = {"primary_rays", "shadow_rays", "reflection_rays", "refraction_rays"};
+  for (std::size_t kind = 0; kind < ray_kinds; ++kind) {
+    out.push_back({path(), names[kind], rays_[kind], "rays", "rays of this kind that were set up"});
+  }
+}
+
+std::string RayGenerator::describe() const {
+  return std::to_string(free_.size()) + " of " + std::to_string(contexts_.size()) + " contexts free";
+}
+
+}  // namespace artu::hw

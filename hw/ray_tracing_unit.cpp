@@ -1,0 +1,252 @@
+#include "hw/ray_tracing_unit.h"
+
+#include <numeric>
+
+namespace artu::hw {
+
+namespace {
+constexpr std::uint32_t frame_writer_entries = 16;
+constexpr std::uint32_t job_depth = 8;
+
+Tick period_of(std::uint32_t own_mhz, std::uint32_t other_mhz) {
+  return other_mhz / std::gcd(own_mhz, other_mhz);
+}
+}  // namespace
+
+RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& config, const RunMode& mode,
+                               MemoryImage& image, const Fault& fault)
+    : sc_module(name),
+      config_(config),
+      mode_(mode),
+      image_(image),
+      unit_period_(period_of(config.clock_mhz, config.memory.dram.clock_mhz)),
+      dram_period_(period_of(config.memory.dram.clock_mhz, config.clock_mhz)),
+      tick_seconds_(1.0e-6 / (static_cast<double>(config.clock_mhz) * static_cast<double>(unit_period_))),
+      clock("clock", timeline_, unit_period_, tick_seconds_),
+      dram_clock("dram_clock", timeline_, dram_period_, tick_seconds_),
+      control_unit("control_unit", clock, config.selective, config.shading, registers_, image),
+      first_rendering_unit("first_rendering_unit", clock, config.selective, registers_),
+      pixel_cache("pixel_cache", clock, config.selective.pixel_cache),
+      candidate_pixel_extractor("candidate_pixel_extractor", clock, config.selective, registers_, image, pixel_cache),
+      collision_counter("collision_counter", clock),
+      threshold_adjuster("threshold_adjuster", clock, config.selective),
+      render_executor("render_executor", clock, registers_),
+      dispatcher("dispatcher", clock),
+      frame_writer("frame_writer", clock, registers_, image, frame_writer_entries),
+      tree_builder("tree_builder", clock, config.tree_builder, registers_),
+      interconnect("interconnect", clock),
+      l2("l2", clock, config.memory.l2),
+      dram("dram", dram_clock, config.memory.dram),
+      first_command_("first_command", 2),
+      extract_command_("extract_command", 2),
+      pass_("pass", 2),
+      written_("written", 2),
+      build_("build", 2),
+      built_("built", 2),
+      flush_("flush", 2),
+      flushed_("flushed", 2),
+      sampling_jobs_("sampling_jobs", job_depth),
+      traced_jobs_("traced_jobs", job_depth),
+      extracted_("extracted", 4),
+      counted_("counted", 2 + CollisionCounter::latency, CollisionCounter::latency),
+      adjusted_("adjusted", 2 + ThresholdAdjuster::latency, ThresholdAdjuster::latency),
+      interpolated_("interpolated", job_depth),
+      pixel_reads_("pixel_reads", 4, 1, config.selective.pixel_cache.hit_latency),
+      pixel_misses_("pixel_misses", config.selective.pixel_cache.mshrs, config.memory.interconnect_latency,
+                    config.memory.interconnect_latency),
+      descriptor_reads_("descriptor_reads", 4, config.memory.interconnect_latency,
+                        config.memory.interconnect_latency),
+      frame_writes_("frame_writes", 4, config.memory.interconnect_latency, config.memory.interconnect_latency),
+      builder_link_("builder", config.tree_builder.outstanding, config.memory.interconnect_latency,
+                    config.memory.interconnect_latency),
+      l2_link_("l2", 4, 1, config.memory.l2.hit_latency),
+      dram_link_("dram", config.memory.l2.mshrs, 1, 1) {
+  for (std::uint32_t i = 0; i < config.core.count; ++i) {
+    const std::string core = "core" + std::to_string(i);
+    cores.push_back(std::make_unique<RayCore>(core.c_str(), clock, config, registers_, image));
+    core_jobs_.push_back(std::make_unique<Fifo<PixelJob>>(core + ".jobs", config.core.queue_depth + 1));
+    core_pixels_.push_back(std::make_unique<Fifo<PixelToken>>(core + ".pixels", config.core.queue_depth + 1));
+  }
+  bind_memory();
+  bind_selective();
+  bind_cores();
+  bind_control();
+  inject(fault);
+  if (mode.random_stall) {
+    std::uint64_t number = 0;
+    for (Channel* channel : channels_) channel->stall_randomly(mode.seed * 1000003 + ++number);
+  }
+  for (ClockDomain* domain : timeline_.domains) {
+    domain->set_clocked(mode.clocked);
+    domain->set_shuffle(mode.shuffle, mode.seed);
+  }
+  clock.set_watchdog(config.watchdog);
+}
+
+RayTracingUnit::~RayTracingUnit() = default;
+
+void RayTracingUnit::bind_memory() {
+  pixel_reads_.bind(candidate_pixel_extractor, pixel_cache);
+  pixel_cache.add_client(pixel_reads_);
+  pixel_misses_.bind(pixel_cache, interconnect);
+  pixel_cache.bind_below(pixel_misses_);
+  descriptor_reads_.bind(control_unit, interconnect);
+  frame_writes_.bind(frame_writer, interconnect);
+  builder_link_.bind(tree_builder, interconnect);
+  for (MemoryLink* link : {&descriptor_reads_, &builder_link_, &frame_writes_, &pixel_misses_}) {
+    interconnect.add_master(*link);
+  }
+  l2_link_.bind(interconnect, l2);
+  interconnect.bind_below(l2_link_);
+  l2.add_client(l2_link_);
+  dram_link_.bind(l2, dram);
+  l2.bind_below(dram_link_);
+  l2.bind_flush(flush_, flushed_);
+  dram.bind(dram_link_);
+  for (MemoryLink* link : {&pixel_reads_, &pixel_misses_, &descriptor_reads_, &frame_writes_, &builder_link_, &l2_link_,
+                           &dram_link_}) {
+    channels_.push_back(&link->request);
+    channels_.push_back(&link->response);
+  }
+}
+
+void RayTracingUnit::bind_selective() {
+  first_command_.bind(control_unit, first_rendering_unit);
+  extract_command_.bind(control_unit, candidate_pixel_extractor);
+  sampling_jobs_.bind(first_rendering_unit, dispatcher);
+  extracted_.bind(candidate_pixel_extractor, collision_counter);
+  counted_.bind(collision_counter, threshold_adjuster);
+  adjusted_.bind(threshold_adjuster, render_executor);
+  interpolated_.bind(render_executor, frame_writer);
+  traced_jobs_.bind(render_executor, dispatcher);
+  first_rendering_unit.bind(first_command_, sampling_jobs_);
+  candidate_pixel_extractor.bind(extract_command_, extracted_, pixel_reads_);
+  collision_counter.bind(extracted_, counted_);
+  threshold_adjuster.bind(counted_, adjusted_);
+  render_executor.bind(adjusted_, interpolated_, traced_jobs_);
+  for (Channel* channel : std::initializer_list<Channel*>{&first_command_, &extract_command_, &sampling_jobs_,
+                                                          &extracted_, &counted_, &adjusted_, &interpolated_,
+                                                          &traced_jobs_}) {
+    channels_.push_back(channel);
+  }
+}
+
+void RayTracingUnit::bind_cores() {
+  dispatcher.add_source(sampling_jobs_);
+  dispatcher.add_source(traced_jobs_);
+  for (std::size_t i = 0; i < cores.size(); ++i) {
+    RayCore& core = *cores[i];
+    core_jobs_[i]->bind(dispatcher, core.ray_generator);
+    core_pixels_[i]->bind(core.shading, frame_writer);
+    dispatcher.add_core(*core_jobs_[i]);
+    frame_writer.add_source(*core_pixels_[i]);
+    core.bind(interconnect, *core_jobs_[i], *core_pixels_[i]);
+    channels_.push_back(core_jobs_[i].get());
+    channels_.push_back(core_pixels_[i].get());
+    channels_.insert(channels_.end(), core.channels().begin(), core.channels().end());
+  }
+  frame_writer.add_source(interpolated_);
+}
+
+void RayTracingUnit::bind_control() {
+  pass_.bind(control_unit, frame_writer);
+  written_.bind(frame_writer, control_unit);
+  build_.bind(control_unit, tree_builder);
+  built_.bind(tree_builder, control_unit);
+  flush_.bind(control_unit, l2);
+  flushed_.bind(l2, control_unit);
+  frame_writer.bind(frame_writes_, pass_, written_);
+  tree_builder.bind(builder_link_, build_, built_);
+  control_unit.bind({&descriptor_reads_, &build_, &built_, &first_command_, &extract_command_, &pass_, &written_,
+                     &flush_, &flushed_});
+  for (Channel* channel : std::initializer_list<Channel*>{&pass_, &written_, &build_, &built_, &flush_, &flushed_}) {
+    channels_.push_back(channel);
+  }
+  tree_builder.takes_part_in(phase_build);
+  first_rendering_unit.takes_part_in(phase_first);
+  for (Block* block : std::initializer_list<Block*>{&pixel_cache, &candidate_pixel_extractor, &collision_counter,
+                                                    &threshold_adjuster, &render_executor}) {
+    block->takes_part_in(phase_selective);
+  }
+  dispatcher.takes_part_in(phase_first | phase_selective);
+  frame_writer.takes_part_in(phase_first | phase_selective);
+  for (Block* block : clock.blocks()) {
+    if (block != &control_unit) control_unit.add_listener(*block);
+  }
+}
+
+void RayTracingUnit::inject(const Fault& fault) {
+  const std::uint32_t bits = 1u << (fault.bit & 31);
+  const auto code = static_cast<std::uint8_t>(1u << (fault.bit & 7));
+  for (auto& core : cores) {
+    if (fault.datapath == Datapath::box) core->traversal.inject(bits);
+    if (fault.datapath == Datapath::triangle) core->intersection.inject(bits);
+    if (fault.datapath == Datapath::shading) core->shading.inject(code);
+  }
+  if (fault.datapath == Datapath::interpolation) render_executor.inject(code);
+  if (fault.datapath == Datapath::threshold) threshold_adjuster.inject(code);
+}
+
+FrameResult RayTracingUnit::run(Address descriptor, PixelRecords* records) {
+  for (Channel* channel : channels_) channel->reset();
+  timeline_.now = 0;
+  timeline_.progress = 0;
+  control_unit.set_descriptor(descriptor);
+  first_rendering_unit.observe(records);
+  render_executor.observe(records);
+  frame_writer.observe(records);
+  for (auto& core : cores) core->shading.observe(records);
+  for (ClockDomain* domain : timeline_.domains) domain->begin_frame();
+  sc_core::sc_start();
+
+  FrameResult result;
+  if (control_unit.finished_at() == never) {
+    result.dead_locked = true;
+    result.picture = picture_of_dead_lock();
+    return result;
+  }
+  result.cycles = control_unit.finished_at();
+  clock.end_frame(result.cycles);
+  dram_clock.end_frame(result.cycles * unit_period_ / dram_period_);
+  each_block([&](Block& block) {
+    static const char* const names[state_count] = {"busy", "stall_in", "stall_out", "stall_mem", "idle"};
+    static const char* const texts[state_count] = {
+        "worked, or had work in its pipeline", "starved: no input", "blocked by a full channel", "waited for memory",
+        "no part in this phase of the frame"};
+    const std::string unit = &block == &dram ? "DRAM clocks" : "cycles";
+    for (std::size_t s = 0; s < state_count; ++s) {
+      result.statistics.push_back({block.path(), names[s], block.cycles_in(static_cast<State>(s)), unit, texts[s]});
+    }
+    block.report(result.statistics);
+  });
+  check_laws(result, records);
+  return result;
+}
+
+void RayTracingUnit::each_block(const std::function<void(Block&)>& visit) {
+  for (Block* block : clock.blocks()) visit(*block);
+  for (Block* block : dram_clock.blocks()) visit(*block);
+}
+
+std::string RayTracingUnit::picture_of_dead_lock() const {
+  static const char* const names[state_count] = {"busy", "stall_in", "stall_out", "stall_mem", "idle"};
+  std::string text = "dead-lock in cycle " + std::to_string(clock.now()) + ": no token moves\n";
+  for (const ClockDomain* domain : timeline_.domains) {
+    for (const Block* block : domain->blocks()) {
+      const std::string detail = block->describe();
+      if (block->state() == State::idle && detail.empty()) continue;
+      text += "  " + block->path() + ": " + names[static_cast<std::size_t>(block->state())];
+      if (!detail.empty()) text += "; " + detail;
+      text += "\n";
+    }
+  }
+  for (const Channel* channel : channels_) {
+    if (channel->size() == 0) continue;
+    text += "  channel " + channel->name() + ": " + std::to_string(channel->size()) + " of " +
+            std::to_string(channel->capacity()) + ", from " + channel->producer()->path() + " to " +
+            channel->consumer()->path() + "\n";
+  }
+  return text;
+}
+
+}  // namespace artu::hw

@@ -1,0 +1,89 @@
+// The unit: instantiates its blocks and binds them, nothing else.  `run` is the host's side of a frame.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hw/control_unit.h"
+#include "hw/memory/dram.h"
+#include "hw/memory/interconnect.h"
+#include "hw/ray_core/dispatcher.h"
+#include "hw/ray_core/ray_core.h"
+#include "hw/run_mode.h"
+#include "hw/selective/candidate_pixel_extractor.h"
+#include "hw/selective/collision_counter.h"
+#include "hw/selective/first_rendering_unit.h"
+#include "hw/selective/render_executor.h"
+#include "hw/selective/threshold_adjuster.h"
+
+namespace artu::hw {
+
+struct FrameResult {
+  Cycle cycles = 0;                     // of the unit's clock
+  bool dead_locked = false;
+  std::string picture;                  // dead-lock: who waits for whom
+  std::vector<std::string> violations;  // of the accounting laws
+  Statistics statistics;
+};
+
+class RayTracingUnit : public sc_core::sc_module {
+ public:
+  RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& config, const RunMode& mode, MemoryImage& image,
+                 const Fault& fault = {});
+  ~RayTracingUnit() override;
+
+  /// Renders the frame whose descriptor lies at `descriptor`.  `records` (width * height) may be null.
+  FrameResult run(Address descriptor, PixelRecords* records);
+
+ private:
+  void bind_memory();
+  void bind_selective();
+  void bind_cores();
+  void bind_control();
+  void inject(const Fault& fault);
+  void each_block(const std::function<void(Block&)>& visit);
+  void check_laws(FrameResult& result, const PixelRecords* records) const;
+  std::string picture_of_dead_lock() const;
+
+  const UnitConfig config_;
+  const RunMode mode_;
+  MemoryImage& image_;
+  FrameRegisters registers_;
+  Timeline timeline_;
+  Tick unit_period_ = 1, dram_period_ = 1;
+  double tick_seconds_ = 0;
+
+ public:
+  ClockDomain clock, dram_clock;
+  ControlUnit control_unit;
+  FirstRenderingUnit first_rendering_unit;
+  Cache pixel_cache;
+  CandidatePixelExtractor candidate_pixel_extractor;
+  CollisionCounter collision_counter;
+  ThresholdAdjuster threshold_adjuster;
+  RenderExecutor render_executor;
+  Dispatcher dispatcher;
+  std::vector<std::unique_ptr<RayCore>> cores;
+  FrameWriter frame_writer;
+  TreeBuilder tree_builder;
+  Interconnect interconnect;
+  Cache l2;
+  Dram dram;
+
+ private:
+  Fifo<PassCommand> first_command_, extract_command_;
+  Fifo<PassSize> pass_, written_;
+  Fifo<BuildToken> build_, built_;
+  Fifo<CacheCommand> flush_, flushed_;
+  Fifo<PixelJob> sampling_jobs_, traced_jobs_;
+  Fifo<Candidate> extracted_, counted_, adjusted_;
+  Fifo<PixelToken> interpolated_;
+  std::vector<std::unique_ptr<Fifo<PixelJob>>> core_jobs_;
+  std::vector<std::unique_ptr<Fifo<PixelToken>>> core_pixels_;
+  MemoryLink pixel_reads_, pixel_misses_, descriptor_reads_, frame_writes_, builder_link_, l2_link_, dram_link_;
+  std::vector<Channel*> channels_;
+};
+
+}  // namespace artu::hw

@@ -1,0 +1,71 @@
+// Finds the candidate pixels of a pass and fetches what is decided on: the pair's colours and the neighbours' hit
+// classes (patent, candidate-pixel extraction module 531; C11).
+//
+// In:  a pass command; lines of the frame buffer and of the hit-class map, through the pixel cache.
+// Out: candidates, to the collision counter, in tile order.
+// Works on spans (one row of one tile): up to four spans have their lines fetched, one request a cycle, while the
+// oldest hands on one candidate a cycle.
+// Stalls: stall_mem when the oldest span's lines are awaited, stall_out when the collision counter takes no more.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hw/frame_registers.h"
+#include "hw/memory/cache.h"
+#include "hw/memory/image.h"
+#include "hw/selective/tile_walk.h"
+#include "hw/selective/tokens.h"
+
+namespace artu::hw {
+
+class CandidatePixelExtractor : public Block {
+ public:
+  CandidatePixelExtractor(sc_core::sc_module_name name, ClockDomain& domain, const SelectiveConfig& config,
+                          const FrameRegisters& registers, const MemoryImage& image, Cache& pixel_cache)
+      : Block(name, domain), config_(config), registers_(registers), image_(image), pixel_cache_(pixel_cache) {}
+  void bind(Fifo<PassCommand>& command, Fifo<Candidate>& out, MemoryLink& memory) {
+    command_ = &command;
+    out_ = &out;
+    memory_ = &memory;
+  }
+
+  void reset() override;
+  void report(Statistics& out) const override;
+  std::string describe() const override;
+
+  static TileWalk walk(std::uint32_t pass, std::uint32_t width, std::uint32_t height, std::uint32_t tile);
+
+ private:
+  struct Window {
+    TileWalk::Span span{};
+    std::vector<Address> lines;
+    std::size_t issued = 0, answered = 0;
+  };
+  static constexpr std::size_t windows = 4;
+
+  Activity tick(Cycle now) override;
+  void open_window();
+  void want_row(Window& window, std::uint32_t y);
+  Candidate candidate(std::uint32_t x, std::uint32_t y) const;
+  HitClass counted_class(std::int64_t x, std::int64_t y) const;
+  Rgb color(std::uint32_t x, std::uint32_t y) const;
+
+  const SelectiveConfig config_;
+  const FrameRegisters& registers_;
+  const MemoryImage& image_;
+  Cache& pixel_cache_;
+  Fifo<PassCommand>* command_ = nullptr;
+  Fifo<Candidate>* out_ = nullptr;
+  MemoryLink* memory_ = nullptr;
+  bool active_ = false;
+  std::uint8_t pass_ = 0;
+  TileWalk walk_;
+  std::array<Window, windows> window_;
+  std::size_t first_ = 0, open_ = 0;  // ring of windows; counts only go up
+  std::size_t fetching_ = 0;          // the window whose lines are being requested
+  std::uint32_t x_ = 0;               // next candidate of the oldest window
+  std::uint64_t candidates_ = 0, spans_ = 0;
+};
+
+}  // namespace artu::hw

@@ -1,0 +1,42 @@
+#include "hw/selective/render_executor.h"
+
+namespace artu::hw {
+
+void RenderExecutor::record(const Candidate& candidate, int difference, Decision decision) {
+  if (records_ == nullptr) return;
+  PixelRecord& record = (*records_)[std::size_t{candidate.y} * registers_.descriptor.width + candidate.x];
+  record.pass = candidate.pass;
+  record.n_static = candidate.counts.n_static;
+  record.n_dynamic = candidate.counts.n_dynamic;
+  record.threshold = candidate.threshold;
+  record.difference = static_cast<std::int16_t>(difference);
+  record.decision = decision;
+}
+
+Activity RenderExecutor::tick(Cycle now) {
+  if (!in_->can_pop()) return {State::stall_in};
+  const Candidate& candidate = in_->front();
+  const int difference = candidate.pair ? color_difference(candidate.a, candidate.b) : -1;
+  if (candidate.pair && difference <= candidate.threshold) {
+    if (!interpolated_->can_push()) return {State::stall_out};
+    const Rgb mean = interpolate(candidate.a, candidate.b);
+    interpolated_->push({candidate.x, candidate.y, static_cast<std::uint8_t>(mean.r ^ fault_), mean.g, mean.b,
+                         HitClass::none});
+    ++interpolated_count_;
+    record(candidate, difference, Decision::interpolated);
+  } else {
+    if (!traced_->can_push()) return {State::stall_out};
+    traced_->push({candidate.x, candidate.y});
+    ++traced_count_;
+    record(candidate, difference, Decision::traced);
+  }
+  in_->pop();
+  return {State::busy, now + 1};
+}
+
+void RenderExecutor::report(Statistics& out) const {
+  out.push_back({path(), "interpolated", interpolated_count_, "pixels", "candidates interpolated"});
+  out.push_back({path(), "traced", traced_count_, "pixels", "candidates ray traced"});
+}
+
+}  // namespace artu::hw

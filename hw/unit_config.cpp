@@ -1,0 +1,112 @@
+#include "hw/unit_config.h"
+
+namespace artu::hw {
+
+void OperatorConfig::visit(ParameterVisitor& v) {
+  v.integer("add", add, {1, 64}, "cycles", "latency of an addition or subtraction");
+  v.integer("multiply", multiply, {1, 64}, "cycles", "latency of a multiplication");
+  v.integer("divide", divide, {1, 64}, "cycles", "latency of a division");
+  v.integer("square_root", square_root, {1, 64}, "cycles", "latency of a square root");
+  v.integer("compare", compare, {1, 64}, "cycles", "latency of a comparison, minimum or maximum");
+}
+
+void CacheConfig::visit(ParameterVisitor& v) {
+  v.integer("size", size, {256, 1u << 26, true}, "bytes", "capacity");
+  v.integer("ways", ways, {1, 64, true}, "", "associativity; at most size / line");
+  v.integer("hit_latency", hit_latency, {1, 1000}, "cycles", "from a request's arrival to its data, on a hit");
+  v.integer("mshrs", mshrs, {1, 1024}, "", "lines that can be outstanding at a time");
+  v.integer("targets", targets, {1, 1024}, "", "requests that can wait for one outstanding line");
+}
+
+namespace {
+void visit_cache(ParameterVisitor& v, const char* name, const char* text, CacheConfig& cache) {
+  v.enter(name, text);
+  cache.visit(v);
+  v.leave();
+}
+}  // namespace
+
+void RayCoreConfig::visit(ParameterVisitor& v) {
+  v.integer("count", count, {1, 64}, "", "number of ray cores");
+  v.integer("contexts", contexts, {1, 256}, "", "pixels in flight in a core, each with one ray at a time");
+  v.integer("stack_entries", stack_entries, {8, 128}, "", "traversal stack of a ray; a deeper tree is refused");
+  v.integer("queue_depth", queue_depth, {1, 256}, "", "entries of the queues between a core's blocks");
+  visit_cache(v, "node_cache", "tree nodes, one a core", node_cache);
+  visit_cache(v, "triangle_cache", "triangles and their attributes, one a core", triangle_cache);
+  visit_cache(v, "texture_cache", "materials and texels, one a core", texture_cache);
+}
+
+void ShadingConfig::visit(ParameterVisitor& v) {
+  v.integer("max_depth", max_depth, {0, 16}, "", "bounces of reflection and refraction rays; 0 = none");
+  v.real("min_weight", min_weight, {0.0, 1.0}, "", "smallest weight of a reflection or refraction ray that is traced");
+}
+
+void SelectiveConfig::visit(ParameterVisitor& v) {
+  v.flag("enabled", enabled, "selective rendering; false traces every pixel");
+  v.flag("adaptive", adaptive, "the threshold follows the hits around a pixel; false keeps the reference");
+  v.integer("reference", reference, {0, 255}, "codes", "reference threshold, a difference of 8-bit colour codes");
+  v.integer("minimum", minimum, {0, 255}, "codes", "smallest threshold after adjustment");
+  v.integer("maximum", maximum, {0, 255}, "codes", "largest threshold after adjustment");
+  v.choice("magnitude", magnitude, {"fixed", "proportional", "progressive"}, "size of the threshold's move");
+  v.integer("step", step, {0, 255}, "codes", "the move, or with proportional the move for each hit of difference");
+  v.table("table", table, {0, 255}, "codes", "the move for a difference of 1 ... 8 hits, with progressive");
+  v.integer("tile", tile, {4, 256, true}, "pixels", "edge of the tiles in which pixels are visited");
+  visit_cache(v, "pixel_cache", "frame buffer lines read by the candidate-pixel extractor", pixel_cache);
+}
+
+void TreeBuilderConfig::visit(ParameterVisitor& v) {
+  v.integer("triangles_per_pass", triangles_per_pass, {16, 1u << 20, true}, "triangles",
+            "subtrees of at most this size are built on chip, without memory traffic for each level");
+  v.integer("cycles_per_triangle", cycles_per_triangle, {1, 1000}, "cycles", "for each triangle at each level of the tree");
+  v.integer("outstanding", outstanding, {1, 256}, "", "memory requests in flight");
+}
+
+void DramConfig::visit(ParameterVisitor& v) {
+  v.integer("channels", channels, {1, 16, true}, "", "channels, interleaved by line");
+  v.integer("clock_mhz", clock_mhz, {100, 10000}, "MHz", "clock; data moves on both edges");
+  v.integer("bus_bits", bus_bits, {8, 128, true}, "bits", "data width of a channel");
+  v.integer("burst_length", burst_length, {2, 64, true}, "", "transfers of a burst");
+  v.integer("banks", banks, {1, 64, true}, "", "banks of a channel");
+  v.integer("row_bytes", row_bytes, {256, 65536, true}, "bytes", "row buffer of a bank");
+  v.integer("queue_depth", queue_depth, {1, 256}, "", "requests that wait at a channel");
+  v.integer("t_rcd", t_rcd, {1, 1000}, "DRAM clocks", "activate to column command");
+  v.integer("t_rp", t_rp, {1, 1000}, "DRAM clocks", "precharge to activate");
+  v.integer("t_cl", t_cl, {1, 1000}, "DRAM clocks", "column command to first data");
+  v.integer("t_ras", t_ras, {1, 1000}, "DRAM clocks", "activate to precharge");
+}
+
+void MemoryConfig::visit(ParameterVisitor& v) {
+  v.integer("line", line, {64, 64, true}, "bytes", "cache line");
+  v.integer("interconnect_latency", interconnect_latency, {1, 1000}, "cycles", "between a core and the L2, each way");
+  visit_cache(v, "l2", "second-level cache, shared", l2);
+  v.enter("dram", "LPDDR4 channels");
+  dram.visit(v);
+  v.leave();
+}
+
+void UnitConfig::visit(ParameterVisitor& v) {
+  v.enter("unit", "the unit as a whole");
+  v.integer("clock_mhz", clock_mhz, {1, 10000}, "MHz", "clock");
+  v.integer("watchdog", watchdog, {1000, 4000000000u}, "cycles", "without a token moving: dead-lock, exit code 3");
+  v.leave();
+  v.enter("core", "ray cores");
+  core.visit(v);
+  v.leave();
+  v.enter("operators", "latencies of the arithmetic operators");
+  operators.visit(v);
+  v.leave();
+  v.enter("shading", "shading and next-ray set-up");
+  shading.visit(v);
+  v.leave();
+  v.enter("selective", "selective rendering");
+  selective.visit(v);
+  v.leave();
+  v.enter("tree_builder", "builder of the dynamic tree");
+  tree_builder.visit(v);
+  v.leave();
+  v.enter("memory", "shared memory system");
+  memory.visit(v);
+  v.leave();
+}
+
+}  // namespace artu::hw

@@ -1,0 +1,91 @@
+// Every parameter of the unit.  The defaults are a mobile unit of RayCore's class at 500 MHz.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "hw/fabric/parameter.h"
+
+namespace artu::hw {
+
+/// Latencies of the arithmetic operators, from which every datapath's pipeline depth follows.
+struct OperatorConfig {
+  std::uint32_t add = 3, multiply = 3, divide = 12, square_root = 12, compare = 1;
+  void visit(ParameterVisitor& v);
+};
+
+struct CacheConfig {
+  std::uint32_t size = 16384;      // bytes
+  std::uint32_t ways = 4;
+  std::uint32_t hit_latency = 2;   // cycles from request to data
+  std::uint32_t mshrs = 8;         // lines that can be outstanding
+  std::uint32_t targets = 8;       // requests that can wait for one line
+  void visit(ParameterVisitor& v);
+};
+
+struct RayCoreConfig {
+  std::uint32_t count = 6;
+  std::uint32_t contexts = 32;     // pixels in flight, one ray each
+  std::uint32_t stack_entries = 64;
+  std::uint32_t queue_depth = 4;   // between the core's blocks
+  CacheConfig node_cache{16384, 4, 2, 8, 8};
+  CacheConfig triangle_cache{16384, 4, 2, 8, 8};
+  CacheConfig texture_cache{8192, 4, 2, 8, 8};
+  void visit(ParameterVisitor& v);
+};
+
+enum class Magnitude : std::uint8_t { fixed, proportional, progressive };
+
+struct SelectiveConfig {
+  bool enabled = true;
+  bool adaptive = true;
+  std::uint32_t reference = 16, minimum = 0, maximum = 255;
+  Magnitude magnitude = Magnitude::proportional;
+  std::uint32_t step = 2;
+  std::array<std::uint32_t, 8> table{1, 2, 4, 7, 11, 16, 22, 29};
+  std::uint32_t tile = 16;         // pixels, edge of the tiles in which pixels are visited
+  CacheConfig pixel_cache{4096, 4, 2, 8, 8};
+  void visit(ParameterVisitor& v);
+};
+
+struct ShadingConfig {
+  std::uint32_t max_depth = 3;
+  float min_weight = 0.00390625f;
+  void visit(ParameterVisitor& v);
+};
+
+struct DramConfig {
+  std::uint32_t channels = 2, clock_mhz = 1600, bus_bits = 16, burst_length = 16;
+  std::uint32_t banks = 8, row_bytes = 2048, queue_depth = 16;
+  std::uint32_t t_rcd = 29, t_rp = 34, t_cl = 28, t_ras = 68;  // DRAM clocks
+  void visit(ParameterVisitor& v);
+};
+
+struct MemoryConfig {
+  std::uint32_t line = 64;               // bytes
+  std::uint32_t interconnect_latency = 4;  // cycles each way between a core and the L2
+  CacheConfig l2{262144, 8, 10, 32, 16};
+  DramConfig dram;
+  void visit(ParameterVisitor& v);
+};
+
+struct TreeBuilderConfig {
+  std::uint32_t triangles_per_pass = 1024;  // held on chip: levels below need no traffic
+  std::uint32_t cycles_per_triangle = 9;    // for each triangle at each level
+  std::uint32_t outstanding = 8;            // memory requests in flight
+  void visit(ParameterVisitor& v);
+};
+
+struct UnitConfig {
+  std::uint32_t clock_mhz = 500;
+  std::uint32_t watchdog = 1000000;  // cycles without a token moving: dead-lock
+  RayCoreConfig core;
+  OperatorConfig operators;
+  ShadingConfig shading;
+  SelectiveConfig selective;
+  TreeBuilderConfig tree_builder;
+  MemoryConfig memory;
+  void visit(ParameterVisitor& v);
+};
+
+}  // namespace artu::hw

@@ -1,0 +1,169 @@
+#include "ref/embree_scene.h"
+
+#include <embree3/rtcore.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace artu::ref {
+namespace {
+
+// Embree silently drops primitives whose box reaches 1.844e18, and traces may hold coordinates up to 2^62.
+constexpr float embree_limit = 1.8e18f;
+
+// Travels through Embree with a ray.  Embree hands the callbacks the pointer to `embree`.
+struct TraceContext {
+  RTCIntersectContext embree;
+  const Ray* ray;
+  Hit best;
+};
+
+// What Embree may still cull by: a little behind the best hit, so that ties are never lost.  The constant makes it
+// positive: Embree compares distances as integers, to which a hit at t = -0 (legal) lies before everything.
+float embree_tfar(float t) { return t * (1.0f + 0x1p-18f) + 0x1p-100f; }
+
+void fill(RTCRay& out, const Ray& ray, float tfar) {
+  out.org_x = ray.origin.x;
+  out.org_y = ray.origin.y;
+  out.org_z = ray.origin.z;
+  out.tnear = 0;  // a box that the ray only touches at 0 is visited: Embree compares with <=
+  out.dir_x = ray.direction.x;
+  out.dir_y = ray.direction.y;
+  out.dir_z = ray.direction.z;
+  out.time = 0;
+  out.tfar = tfar;
+  out.mask = ~0u;
+  out.id = 0;
+  out.flags = 0;
+}
+
+// Binary32 strictly outside of a binary64 bound: the padding must not be lost where a coordinate's ulp exceeds it.
+float below(double x) { return std::nextafter(static_cast<float>(x), -HUGE_VALF); }
+float above(double x) { return std::nextafter(static_cast<float>(x), HUGE_VALF); }
+
+}  // namespace
+
+EmbreeDevice::EmbreeDevice() : device_(rtcNewDevice("threads=1")) {
+  if (!device_) throw std::runtime_error("Embree: no device, error " + std::to_string(rtcGetDeviceError(nullptr)));
+}
+
+void EmbreeDevice::Release::operator()(RTCDeviceTy* device) const { rtcReleaseDevice(device); }
+
+void EmbreeDevice::check(const char* what) const {
+  const RTCError error = rtcGetDeviceError(device_.get());
+  if (error != RTC_ERROR_NONE)
+    throw std::runtime_error(std::string("Embree: ") + what + ", error " + std::to_string(error));
+}
+
+void EmbreeScene::Release::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
+
+void EmbreeScene::set(const traces::Mesh& mesh, std::int64_t first_id) {
+  scene_.reset();
+  first_id_ = first_id;
+  triangles_.resize(mesh.triangle_count());
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vec3& p = mesh.positions[mesh.indices[3 * i + corner]];
+      triangles_[i].v[3 * corner] = p.x;
+      triangles_[i].v[3 * corner + 1] = p.y;
+      triangles_[i].v[3 * corner + 2] = p.z;
+    }
+  }
+  extent_ = extent_of(triangles_);
+}
+
+Box EmbreeScene::padded(std::uint32_t triangle) const {
+  const Box box = triangle_box(triangles_[triangle]);
+  return {{below(box.lo.x - padding_), below(box.lo.y - padding_), below(box.lo.z - padding_)},
+          {above(box.hi.x + padding_), above(box.hi.y + padding_), above(box.hi.z + padding_)}};
+}
+
+void EmbreeScene::build(double padding) {
+  padding_ = padding;
+  oversized_.clear();
+  scene_.reset();
+  if (triangles_.empty()) return;
+  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+    const Box box = padded(i);
+    if (max(largest_magnitude(box.lo), largest_magnitude(box.hi)) >= embree_limit) oversized_.push_back(i);
+  }
+  scene_.reset(rtcNewScene(device_.get()));
+  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(triangles_.size()));
+  rtcSetGeometryUserData(geometry, this);
+  rtcSetGeometryBoundsFunction(geometry, bounds_callback, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, intersect_callback);
+  rtcSetGeometryOccludedFunction(geometry, occluded_callback);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene_.get(), geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(scene_.get());
+  device_.check("tree build");
+}
+
+// Embree calls this with subnormals flushed to zero, which costs at most 2^-126: the padding is at least 2^-58.
+void EmbreeScene::bounds_callback(const RTCBoundsFunctionArguments* args) {
+  const auto& scene = *static_cast<const EmbreeScene*>(args->geometryUserPtr);
+  const Box box = scene.padded(args->primID);
+  RTCBounds& out = *args->bounds_o;
+  out.lower_x = box.lo.x;
+  out.lower_y = box.lo.y;
+  out.lower_z = box.lo.z;
+  out.upper_x = box.hi.x;
+  out.upper_y = box.hi.y;
+  out.upper_z = box.hi.z;
+}
+
+void EmbreeScene::intersect_callback(const RTCIntersectFunctionNArguments* args) {
+  const auto& scene = *static_cast<const EmbreeScene*>(args->geometryUserPtr);
+  auto& context = *reinterpret_cast<TraceContext*>(args->context);
+  TriangleHit hit;
+  if (!intersect(*context.ray, scene.triangles_[args->primID], hit)) return;
+  if (!improve(context.best, scene.first_id_ + args->primID, hit)) return;
+  reinterpret_cast<RTCRayHit*>(args->rayhit)->ray.tfar = embree_tfar(hit.t);
+}
+
+void EmbreeScene::occluded_callback(const RTCOccludedFunctionNArguments* args) {
+  const auto& scene = *static_cast<const EmbreeScene*>(args->geometryUserPtr);
+  const auto& context = *reinterpret_cast<TraceContext*>(args->context);
+  TriangleHit hit;
+  if (!intersect(*context.ray, scene.triangles_[args->primID], hit)) return;
+  reinterpret_cast<RTCRay*>(args->ray)->tfar = -HUGE_VALF;  // Embree's sign for "occluded, stop"
+}
+
+void EmbreeScene::closest(const Ray& ray, Hit& best) const {
+  if (!scene_) return;
+  TriangleHit hit;
+  for (const std::uint32_t i : oversized_) {
+    if (intersect(ray, triangles_[i], hit)) improve(best, first_id_ + i, hit);
+  }
+  TraceContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.ray = &ray;
+  context.best = best;
+  RTCRayHit rayhit;
+  fill(rayhit.ray, ray, embree_tfar(best.id < 0 ? ray.tmax : best.at.t));
+  rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene_.get(), &context.embree, &rayhit);
+  best = context.best;
+}
+
+bool EmbreeScene::occluded(const Ray& ray) const {
+  if (!scene_) return false;
+  TriangleHit hit;
+  for (const std::uint32_t i : oversized_) {
+    if (intersect(ray, triangles_[i], hit)) return true;
+  }
+  TraceContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.ray = &ray;
+  RTCRay embree_ray;
+  fill(embree_ray, ray, embree_tfar(ray.tmax));
+  rtcOccluded1(scene_.get(), &context.embree, &embree_ray);
+  return embree_ray.tfar < 0;
+}
+
+}  // namespace artu::ref

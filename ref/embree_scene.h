@@ -1,0 +1,74 @@
+// The triangles of one class (static or dynamic) in an Embree tree that finds candidates; the tests are ref/'s own.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "ref/padding.h"
+#include "ref/triangle.h"
+
+struct RTCDeviceTy;
+struct RTCSceneTy;
+struct RTCBoundsFunctionArguments;
+struct RTCIntersectFunctionNArguments;
+struct RTCOccludedFunctionNArguments;
+
+namespace artu::ref {
+
+/// RAII of Embree's device, single threaded.
+class EmbreeDevice {
+ public:
+  EmbreeDevice();
+  RTCDeviceTy* get() const { return device_.get(); }
+  /// Throws std::runtime_error if Embree reports an error since the last call.
+  void check(const char* what) const;
+
+ private:
+  struct Release {
+    void operator()(RTCDeviceTy* device) const;
+  };
+  std::unique_ptr<RTCDeviceTy, Release> device_;
+};
+
+/// Embree keeps a pointer to this object, hence neither copies nor moves.
+class EmbreeScene {
+ public:
+  explicit EmbreeScene(const EmbreeDevice& device) : device_(device) {}
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
+
+  /// Takes the mesh's triangles; their global ids are `first_id`, `first_id + 1`, ...  `build` must follow.
+  void set(const traces::Mesh& mesh, std::int64_t first_id);
+  /// Builds the tree; boxes are widened by `padding` on each side.
+  void build(double padding);
+
+  const Extent& extent() const { return extent_; }
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  std::int64_t first_id() const { return first_id_; }
+  double padding() const { return padding_; }
+
+  /// Improves `best` by the closest hit of these triangles.
+  void closest(const Ray& ray, Hit& best) const;
+  /// Whether any triangle is hit.
+  bool occluded(const Ray& ray) const;
+
+ private:
+  struct Release {
+    void operator()(RTCSceneTy* scene) const;
+  };
+  Box padded(std::uint32_t triangle) const;
+  static void bounds_callback(const RTCBoundsFunctionArguments* args);
+  static void intersect_callback(const RTCIntersectFunctionNArguments* args);
+  static void occluded_callback(const RTCOccludedFunctionNArguments* args);
+
+  const EmbreeDevice& device_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::uint32_t> oversized_;  // beyond Embree's range of coordinates: tested one by one
+  Extent extent_;
+  std::int64_t first_id_ = 0;
+  double padding_ = 0;
+  std::unique_ptr<RTCSceneTy, Release> scene_;  // null where there is no triangle
+};
+
+}  // namespace artu::ref

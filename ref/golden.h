@@ -1,0 +1,69 @@
+// The golden model: the frame that the unit must produce, from Embree and code of its own.
+//
+// Written from docs/arithmetic.md and docs/selective-rendering.md alone; never includes hw/.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "traces/frame.h"
+
+namespace artu::ref {
+
+enum class Magnitude : std::uint8_t { fixed, proportional, progressive };
+enum class HitClass : std::uint8_t { none, miss, static_geometry, dynamic_geometry };
+enum class Decision : std::uint8_t { sampled, interpolated, traced };
+
+/// The settings that change pixels (docs/selective-rendering.md, docs/arithmetic.md section 7).
+struct Settings {
+  bool selective = true;
+  bool adaptive = true;
+  Magnitude magnitude = Magnitude::proportional;
+  int reference = 16, minimum = 0, maximum = 255;  // thresholds, 8-bit codes
+  int step = 2;
+  std::array<int, 8> table{1, 2, 4, 7, 11, 16, 22, 29};
+  unsigned max_depth = 3;          // of reflection and refraction rays; 0 = none
+  float min_weight = 0.00390625f;  // of a reflection or refraction ray, to be traced
+};
+
+/// One pixel's record; the columns of docs/selective-rendering.md.
+struct Pixel {
+  std::uint8_t pass = 0;
+  HitClass hit_class = HitClass::none;
+  std::uint8_t n_static = 0, n_dynamic = 0;
+  std::int16_t threshold = -1, difference = -1;
+  Decision decision = Decision::sampled;
+  std::uint8_t r = 0, g = 0, b = 0;
+  std::int64_t primitive = -1;
+  std::uint32_t t_bits = 0;
+};
+
+struct RayCounts {
+  std::uint64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
+};
+
+struct Result {
+  std::uint32_t width = 0, height = 0;
+  std::vector<Pixel> pixels;  // row by row
+  RayCounts rays;
+  double trace_seconds = 0;  // the rendering alone: no Embree tree builds
+};
+
+/// Holds what the frames of a scene share (Embree's static tree).
+class Golden {
+ public:
+  /// `scene` must outlive the model; it and the frames are taken as `traces::validate` leaves them.
+  Golden(const traces::Scene& scene, const Settings& settings);
+  ~Golden();
+  /// Frames may come in any order; the result depends on scene, settings and frame alone.  Not for two threads at a
+  /// time: the static tree is built on the first frame and again where a frame's camera needs wider boxes.
+  Result render(const traces::Frame& frame) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace artu::ref

@@ -1,0 +1,47 @@
+#include "ref/texture.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include "ref/color.h"
+
+namespace artu::ref {
+namespace {
+
+float wrapped(float u, traces::Wrap wrap) {
+  if (wrap == traces::Wrap::repeat) return u - std::floor(u);
+  if (wrap == traces::Wrap::clamp) return min(max(u, 0.0f), 1.0f);
+  const float g = u - 2.0f * std::floor(u * 0.5f);
+  return g > 1.0f ? 2.0f - g : g;
+}
+
+std::int32_t wrapped(std::int32_t i, std::int32_t size, traces::Wrap wrap) {
+  if (wrap == traces::Wrap::repeat) return i < 0 ? i + size : i >= size ? i - size : i;
+  return i < 0 ? 0 : i >= size ? size - 1 : i;
+}
+
+Vec3 texel(const traces::Texture& texture, std::int32_t x, std::int32_t y, const Srgb& tables) {
+  const std::uint8_t* p = &texture.rgba[4 * (static_cast<std::size_t>(y) * texture.width + x)];
+  return {tables.decode(p[0]), tables.decode(p[1]), tables.decode(p[2])};
+}
+
+Vec3 lerp(const Vec3& a, const Vec3& b, float weight) { return a + (b - a) * weight; }
+
+}  // namespace
+
+Tap tap(float coordinate, std::uint32_t size, traces::Wrap wrap) {
+  const float s = wrapped(coordinate, wrap) * static_cast<float>(size) - 0.5f;
+  const float floored = std::floor(s);
+  const auto i = static_cast<std::int32_t>(floored), n = static_cast<std::int32_t>(size);
+  return {wrapped(i, n, wrap), wrapped(i + 1, n, wrap), s - floored};
+}
+
+Vec3 sample(const traces::Texture& texture, const Vec2& uv) {
+  const Srgb& tables = srgb();
+  const Tap x = tap(uv.x, texture.width, texture.wrap_u), y = tap(uv.y, texture.height, texture.wrap_v);
+  const Vec3 t00 = texel(texture, x.first, y.first, tables), t10 = texel(texture, x.second, y.first, tables);
+  const Vec3 t01 = texel(texture, x.first, y.second, tables), t11 = texel(texture, x.second, y.second, tables);
+  return lerp(lerp(t00, t10, x.weight), lerp(t01, t11, x.weight), y.weight);
+}
+
+}  // namespace artu::ref

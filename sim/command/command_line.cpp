@@ -1,0 +1,179 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <new>
+#include <system_error>
+
+#include "sim/command/commands.h"
+#include "sim/command/ranges.h"
+#include "sim/report/interruption.h"
+#include "traces/error.h"
+
+namespace artu::sim {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  artu run scripts/scenes/default.stage.toml             one frame of the sample stage into runs/default-1
+  artu run scene.glb --frames 0:30 --size 320x180        30 frames of a glTF animation
+  artu run scene.glb -c phone.toml --set core.count=4    another unit
+  artu check scene.glb --frames 12                       frame 12 against the golden model
+  artu import scene.glb --frames all -o scene.trace      all frames as a trace, to run without the scene
+  artu diff a.png b.png                                  how far two pictures are apart
+  artu run --list-params                                 what can be configured
+
+Exit codes: 0 fine, 1 mismatch with the golden model, 2 usage or input, 3 dead-lock, 4 internal.)";
+
+void add_source(CLI::App& command, SourceOptions& source, bool scene_only, bool required) {
+  const char* what = scene_only ? "A scene: .glb, .gltf, .obj or .stage.toml"
+                                : "A scene (.glb, .gltf, .obj, .stage.toml) or a trace of `artu import`";
+  auto* path = command.add_option(scene_only ? "SCENE" : "SCENE|TRACE", source.path, what);
+  path->option_text(" ");
+  if (required) path->required();
+  command
+      .add_option("--frames", source.frames, "Frames A to B - 1, or only A, or all; default 0:1, of a trace its first")
+      ->option_text("A:B")
+      ->group("Input");
+  command.add_option("--size", source.size, "Picture of a scene, 1x1 ... 16384x16384; default 640x360")
+      ->option_text("WxH")
+      ->group("Input");
+  command.add_option("--fps", source.fps, "Frames per second of a scene's animation; default 30")
+      ->option_text("F")
+      ->group("Input");
+}
+
+void add_run_options(CLI::App& command, RunOptions& run) {
+  add_source(command, run.source, false, false);
+  command.add_option("-c,--config", run.config_files, "Configuration, TOML; may be repeated, the last one wins")
+      ->option_text("FILE")
+      ->allow_extra_args(false)
+      ->group("Configuration");
+  command.add_option("--set", run.assignments, "Set one parameter, after all files; may be repeated")
+      ->option_text("path=value")
+      ->allow_extra_args(false)
+      ->group("Configuration");
+  command.add_flag("--dump-config", run.dump_config, "Print the resolved configuration as TOML and end")
+      ->group("Configuration");
+  command.add_flag("--list-params", run.list_params, "Print all parameters with default, unit and range, and end")
+      ->group("Configuration");
+
+  command.add_option("-o,--output", run.output, "Folder of the report")->option_text("DIR")->group("Output");
+  command.add_option("--dump-pixels", run.pixel_csv, "Write one row a pixel and frame (docs/selective-rendering.md)")
+      ->option_text("FILE.csv")
+      ->group("Output");
+  command.add_flag("--force", run.force, "Replace an earlier run's folder, or an existing FILE.csv")->group("Output");
+  command.add_flag("--quiet", run.quiet, "No summary, no notes, no progress bar")->group("Output");
+  command.add_flag("--list-stats", run.list_stats, "Print the names of all reported numbers, and end")->group("Output");
+  command.add_flag("--dry-run", run.dry_run, "Check all input, write nothing and end")->group("Output");
+
+  command
+      .add_option_function<std::string>(
+          "--fidelity", [&run](const std::string& mode) { run.simulation.clocked = mode == "clocked"; },
+          "event (default): only blocks that are awake; clocked: every block in every cycle, same result")
+      ->option_text("MODE")
+      ->check(CLI::IsMember({"event", "clocked"}))
+      ->group("Simulation");
+  command
+      .add_flag("--random-stall", run.simulation.random_stall,
+                "Random extra latency on every channel: changes "
+                "cycles, never a pixel")
+      ->group("Simulation");
+  command.add_flag("--shuffle", run.simulation.shuffle_ticks, "Random order of blocks within a cycle: changes nothing")
+      ->group("Simulation");
+  command
+      .add_option_function<std::string>(
+          "--seed", [&run](const std::string& seed) { run.simulation.seed = parse_seed(seed); },
+          "Of the two above; default 1")
+      ->option_text("N")
+      ->group("Simulation");
+}
+
+/// One line, without the full stop.
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
+  return text;
+}
+
+int parse_and_run(int argc, const char* const* argv) {
+  CLI::App app("ARTU: a cycle-approximate model of a mobile ray-tracing unit, exact to the bit in every pixel", "artu");
+  app.set_version_flag("--version", std::string("artu ") + ARTU_VERSION, "Print the version and end");
+  app.footer(examples);
+  app.require_subcommand(1);
+
+  RunOptions run;
+  ImportOptionsOfCommand import;
+  std::string picture_a, picture_b;
+  std::function<int()> chosen;
+
+  CLI::App* command = app.add_subcommand("run", "Simulate frames and write a report");
+  add_run_options(*command, run);
+  command->add_flag("--check", run.check, "Compare every pixel with the golden model; exit code 1 on a mismatch")
+      ->group("Output");
+  command->callback([&] { chosen = [&] { return run_command(run); }; });
+
+  command = app.add_subcommand("check",
+                               "Simulate frames and compare every pixel with the golden model; a report only with -o");
+  add_run_options(*command, run);
+  command->callback([&] {
+    run.check = true;
+    run.folder_by_default = false;
+    chosen = [&] { return run_command(run); };
+  });
+
+  command = app.add_subcommand("import", "Turn frames of a scene into a trace");
+  add_source(*command, import.source, true, true);
+  command->add_option("-o,--output", import.output, "The trace")->option_text("FILE")->required()->group("Output");
+  command->add_flag("--force", import.force, "Replace an existing FILE")->group("Output");
+  command->add_flag("--quiet", import.quiet, "No summary, no notes, no progress bar")->group("Output");
+  command->callback([&] { chosen = [&] { return import_command(import); }; });
+
+  command = app.add_subcommand("diff",
+                               "How far two PNG pictures are apart: PSNR, SSIM, largest difference, share of "
+                               "pixels; exit code 0 whenever they could be compared");
+  command->add_option("A.png", picture_a, "A picture")->option_text(" ")->required();
+  command->add_option("B.png", picture_b, "Another, of the same size")->option_text(" ")->required();
+  command->callback([&] { chosen = [&] { return diff_command(picture_a, picture_b); }; });
+
+  run.command.assign(argv, argv + argc);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    throw InputError("command line", one_line(error.what()) + "; artu --help shows what would be right");
+  }
+  return chosen();
+}
+
+}  // namespace
+
+int main_command(int argc, const char* const* argv) {
+  handle_interruptions();
+  int code = exit_internal;
+  try {
+    code = parse_and_run(argc, argv);
+    if (std::fflush(stdout) != 0) throw InputError("standard output", std::strerror(errno));
+    return code;
+  } catch (const InputError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return exit_input;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "error: out of memory; a smaller --size or scene would be right\n");
+    return exit_input;
+  } catch (const std::system_error& error) {  // fmt could not print
+    fmt::print(stderr, "error: standard output: {}; a place with room would be right\n", error.code().message());
+    return exit_input;
+  } catch (const DeadLock& error) {
+    fmt::print(stderr, "error: dead-lock: {}\n", error.what());
+    return exit_dead_lock;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: internal: {}\n", error.what());
+    return exit_internal;
+  }
+}
+
+}  // namespace artu::sim

@@ -1,0 +1,19 @@
+// The commands.  Each returns the exit code; bad input throws InputError, a dead-lock DeadLock.
+#pragma once
+
+#include <string>
+
+#include "sim/command/options.h"
+
+namespace artu::sim {
+
+enum ExitCode { exit_fine = 0, exit_mismatch = 1, exit_input = 2, exit_dead_lock = 3, exit_internal = 4 };
+
+int run_command(const RunOptions& options);
+int import_command(const ImportOptionsOfCommand& options);
+int diff_command(const std::string& a, const std::string& b);
+
+/// Parses, runs, and turns every exception into one line on stderr and its exit code.
+int main_command(int argc, const char* const* argv);
+
+}  // namespace artu::sim

@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include "sim/command/commands.h"
+#include "sim/command/frame_source.h"
+#include "sim/command/progress.h"
+#include "sim/report/file.h"
+#include "sim/report/interruption.h"
+#include "traces/error.h"
+
+namespace artu::sim {
+namespace {
+
+/// Returns how many triangles move, in the frame with the most.
+std::size_t write_frames(const FrameSource& source, const traces::Scene& scene, const ImportOptionsOfCommand& options) {
+  const RemoveOnInterrupt guard(options.output + ".partial");
+  traces::Writer writer(options.output, scene);
+  Progress progress(source.range().count(), options.quiet);
+  std::size_t dynamic = 0;
+  for (std::uint32_t index = source.range().first; index < source.range().last; ++index) {
+    const traces::Frame frame = source.frame(index);
+    dynamic = std::max(dynamic, frame.dynamic.triangle_count());
+    writer.add(frame);
+    progress.frame_done();
+  }
+  writer.close();
+  return dynamic;
+}
+
+}  // namespace
+
+int import_command(const ImportOptionsOfCommand& options) {
+  require_file(options.source.path);
+  if (traces::is_trace(options.source.path)) {
+    throw InputError(options.source.path,
+                     "is a trace already; a scene (.glb, .gltf, .obj, .stage.toml) would be right");
+  }
+  refuse_existing(options.output, options.force);
+  std::vector<std::string> log;
+  const FrameSource source(options.source, log);
+  if (!options.quiet) {
+    for (const std::string& note : log) fmt::print(stderr, "note: {}\n", note);
+  }
+  const traces::Scene& scene = source.scene();
+  std::size_t dynamic = 0;
+  if (scene.frame_count == source.range().count()) {
+    dynamic = write_frames(source, scene, options);
+  } else {
+    traces::Scene counted = scene;
+    counted.frame_count = source.range().count();
+    dynamic = write_frames(source, counted, options);
+  }
+  if (!options.quiet) {
+    fmt::print("{}: {}x{}, frames {}:{}, {} static and up to {} dynamic triangles\n", options.output, scene.width,
+               scene.height, source.range().first, source.range().last, scene.static_geometry.triangle_count(),
+               dynamic);
+  }
+  return exit_fine;
+}
+
+}  // namespace artu::sim

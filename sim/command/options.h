@@ -1,0 +1,37 @@
+// What the command line asks for, as the commands take it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/driver/simulator.h"
+
+namespace artu::sim {
+
+struct SourceOptions {
+  std::string path;                   // scene or trace
+  std::optional<std::string> frames;  // A:B, A or all
+  std::optional<std::string> size;    // WxH
+  std::optional<double> fps;
+};
+
+struct RunOptions {
+  SourceOptions source;
+  std::vector<std::string> config_files, assignments;
+  SimulationOptions simulation;
+  bool check = false;
+  bool folder_by_default = true;  // without `output`: a folder in runs/, or none
+  std::string output, pixel_csv;  // "" = none given
+  bool dump_config = false, list_params = false, list_stats = false;
+  bool dry_run = false, force = false, quiet = false;
+  std::vector<std::string> command;  // the words of the command line
+};
+
+struct ImportOptionsOfCommand {
+  SourceOptions source;
+  std::string output;
+  bool force = false, quiet = false;
+};
+
+}  // namespace artu::sim

@@ -1,0 +1,59 @@
+#include "sim/command/ranges.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "traces/error.h"
+
+namespace artu::sim {
+namespace {
+
+template <class Number = std::uint32_t>
+std::optional<Number> parse_number(const std::string& text) {
+  Number value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::optional<FrameRange> parse_frames(const std::string& text) {
+  if (text == "all") return std::nullopt;
+  const std::size_t colon = text.find(':');
+  const auto first = parse_number(text.substr(0, colon));
+  const auto last = colon == std::string::npos ? std::optional<std::uint32_t>(first ? *first + 1 : 0)
+                                               : parse_number(text.substr(colon + 1));
+  if (!first || !last) {
+    throw InputError("--frames",
+                     fmt::format("\"{}\" is not a range; A:B (B is not included), A or all would be right", text));
+  }
+  if (*first >= *last) {
+    throw InputError("--frames",
+                     fmt::format("{} is empty; A:B with A below B would be right, B is not included", text));
+  }
+  return FrameRange{*first, *last};
+}
+
+PictureSize parse_size(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  const auto width = parse_number(text.substr(0, cross));
+  const auto height = cross == std::string::npos ? std::nullopt : parse_number(text.substr(cross + 1));
+  if (!width || !height) {
+    throw InputError("--size", fmt::format("\"{}\" is not a size; WIDTHxHEIGHT such as 640x360 would be right", text));
+  }
+  for (const std::uint32_t edge : {*width, *height}) {
+    if (edge >= 1 && edge <= 16384) continue;
+    throw InputError("--size", fmt::format("{} is out of range; 1x1 ... 16384x16384 would be right", text));
+  }
+  return {*width, *height};
+}
+
+std::uint64_t parse_seed(const std::string& text) {
+  if (const auto seed = parse_number<std::uint64_t>(text)) return *seed;
+  throw InputError("--seed", fmt::format("\"{}\" is not a seed; an integer from 0 to 2^64 - 1 would be right", text));
+}
+
+}  // namespace artu::sim

@@ -1,0 +1,29 @@
+// `--frames`, `--size` and `--seed` as numbers.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace artu::sim {
+
+/// Half-open.
+struct FrameRange {
+  std::uint32_t first = 0, last = 1;
+  std::uint32_t count() const { return last - first; }
+};
+
+/// "A:B" or "A"; nothing for "all".  Throws InputError.
+std::optional<FrameRange> parse_frames(const std::string& text);
+
+struct PictureSize {
+  std::uint32_t width = 640, height = 360;
+};
+
+/// "WxH", each 1 ... 16384.  Throws InputError.
+PictureSize parse_size(const std::string& text);
+
+/// 0 ... 2^64 - 1.  Throws InputError.
+std::uint64_t parse_seed(const std::string& text);
+
+}  // namespace artu::sim

@@ -1,0 +1,145 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "sim/command/commands.h"
+#include "sim/command/example_scene.h"
+#include "sim/command/frame_source.h"
+#include "sim/command/progress.h"
+#include "sim/command/run_report.h"
+#include "sim/compare/golden_settings.h"
+#include "sim/config/configuration.h"
+#include "sim/config/dump.h"
+#include "sim/config/parameter_list.h"
+#include "sim/report/digest.h"
+#include "sim/report/stats_text.h"
+#include "sim/report/summary.h"
+#include "traces/error.h"
+
+namespace artu::sim {
+namespace {
+
+Configuration configuration_of(const RunOptions& options) {
+  Configuration configuration;
+  for (const std::string& file : options.config_files) configuration.load(file);
+  for (const std::string& assignment : options.assignments) configuration.set(assignment);
+  configuration.check();
+  return configuration;
+}
+
+/// Every name that a report has, from a run of one triangle.
+std::string stats_list(const hw::UnitConfig& unit) {
+  const traces::Scene scene = example_scene();
+  Simulator simulator(scene, unit, {});
+  const Totals totals = totals_of(simulator.run(example_frame()));
+  return format_stats_list(totals, unit.clock_mhz);
+}
+
+/// Prints what was asked for instead of a run; false if nothing was.
+bool print_lists(const RunOptions& options, const hw::UnitConfig& unit) {
+  if (options.dump_config) fmt::print("{}", dump_config(unit));
+  if (options.list_params) fmt::print("{}", format_parameter_list());
+  if (options.list_stats) fmt::print("{}", stats_list(unit));
+  return options.dump_config || options.list_params || options.list_stats;
+}
+
+struct RunResult {
+  Totals sum;
+  CheckResult check;
+  bool lawful = true;  // no accounting law is violated
+};
+
+void report_violations(const FrameOutcome& outcome) {
+  for (const std::string& violation : outcome.violations) {
+    fmt::print(stderr, "error: frame {}: accounting law violated: {}\n", outcome.index, violation);
+  }
+}
+
+/// One frame at a time: memory does not grow with their number.
+RunResult run_frames(const FrameSource& source, Simulator& simulator, const ref::Golden* golden, bool quiet,
+                     RunReport& report) {
+  RunResult result;
+  const FrameRange range = source.range();
+  Progress progress(range.count(), quiet);
+  for (std::uint32_t index = range.first; index < range.last; ++index) {
+    const traces::Frame frame = source.frame(index);
+    const FrameOutcome outcome = simulator.run(frame);
+    if (golden) compare_frame(golden->render(frame), outcome, result.check);
+    const Totals totals = totals_of(outcome);
+    report.add(outcome, totals);
+    add(result.sum, totals);
+    report_violations(outcome);
+    result.lawful = result.lawful && outcome.violations.empty();
+    progress.frame_done();
+  }
+  return result;
+}
+
+Manifest manifest_of(const RunOptions& options, const FrameSource& source) {
+  Manifest manifest;
+  manifest.command = options.command;
+  manifest.version = ARTU_VERSION;
+  manifest.input = options.source.path;
+  manifest.input_sha256 = sha256_of_file(options.source.path);
+  manifest.input_is_trace = source.is_trace();
+  manifest.first_frame = source.range().first;
+  manifest.last_frame = source.range().last;
+  manifest.width = source.scene().width;
+  manifest.height = source.scene().height;
+  manifest.fps = source.scene().fps;
+  manifest.checked = options.check;
+  manifest.simulation = options.simulation;
+  return manifest;
+}
+
+void print_dry_run(const RunOptions& options, const FrameSource& source) {
+  const traces::Scene& scene = source.scene();
+  fmt::print("{}: {}x{}, frames {}:{}, {} static triangles; fine, nothing was run\n", options.source.path, scene.width,
+             scene.height, source.range().first, source.range().last, scene.static_geometry.triangle_count());
+}
+
+}  // namespace
+
+int run_command(const RunOptions& options) {
+  const Configuration configuration = configuration_of(options);
+  const hw::UnitConfig& unit = configuration.unit();
+  if (print_lists(options, unit)) return exit_fine;
+  if (options.source.path.empty()) {
+    throw InputError("command line",
+                     "SCENE or TRACE is missing; a .glb, .gltf, .obj, .stage.toml or a trace would be "
+                     "right");
+  }
+  require_file(options.source.path);
+  std::unique_ptr<RunReport> report;
+  if (!options.dry_run) report = std::make_unique<RunReport>(options);
+
+  std::vector<std::string> log;
+  const FrameSource source(options.source, log);
+  if (!options.quiet) {
+    for (const std::string& note : log) fmt::print(stderr, "note: {}\n", note);
+  }
+  Simulator simulator(source.scene(), unit, options.simulation);
+  if (options.dry_run) {
+    print_dry_run(options, source);
+    return exit_fine;
+  }
+  std::unique_ptr<ref::Golden> golden;
+  if (options.check) golden = std::make_unique<ref::Golden>(source.scene(), golden_settings(unit));
+
+  const RunResult result = run_frames(source, simulator, golden.get(), options.quiet, *report);
+  report->finish(result.sum, unit, manifest_of(options, source), golden ? &result.check : nullptr);
+
+  if (!options.quiet) {
+    const traces::Scene& scene = source.scene();
+    fmt::print("{}", format_summary({options.source.path, scene.width, scene.height, source.range().first,
+                                     source.range().last, unit.clock_mhz},
+                                    result.sum));
+    if (!report->folder().empty()) fmt::print("{:<12}{}\n", "report", report->folder());
+  }
+  if (golden && !(options.quiet && result.check.passed())) fmt::print("{}", describe(result.check));
+  if (!result.lawful) return exit_internal;
+  return golden && !result.check.passed() ? exit_mismatch : exit_fine;
+}
+
+}  // namespace artu::sim

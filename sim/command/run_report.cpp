@@ -1,0 +1,48 @@
+#include "sim/command/run_report.h"
+
+#include <fmt/format.h>
+
+#include "sim/config/dump.h"
+#include "sim/report/pictures.h"
+#include "sim/report/pixel_csv.h"
+#include "sim/report/stats_text.h"
+
+namespace artu::sim {
+
+RunReport::RunReport(const RunOptions& options) {
+  if (!options.pixel_csv.empty()) {
+    csv_ = std::make_unique<AtomicFile>(options.pixel_csv, options.force);
+    csv_->write(pixel_csv_header);
+  }
+  if (!options.output.empty()) {
+    folder_.emplace(options.output, options.force);
+  } else if (options.folder_by_default) {
+    folder_.emplace(RunFolder::next_free(options.source.path));
+  }
+  if (folder_) json_ = std::make_unique<StatsJson>(folder_->file("stats.json"));
+}
+
+void RunReport::add(const FrameOutcome& outcome, const Totals& frame) {
+  if (csv_) pixel_csv_rows(outcome, [this](const std::string& rows) { csv_->write(rows); });
+  if (!folder_) return;
+  const std::string number = fmt::format("_{:04}.png", outcome.index);
+  write_png(folder_->file("frame" + number), frame_picture(outcome));
+  write_png(folder_->file("decision" + number), decision_picture(outcome));
+  write_png(folder_->file("class" + number), class_picture(outcome));
+  json_->add_frame(outcome.index, frame, outcome.violations);
+}
+
+void RunReport::finish(const Totals& sum, const hw::UnitConfig& unit, const Manifest& manifest,
+                       const CheckResult* check) {
+  if (folder_) {
+    json_->finish(sum, unit.clock_mhz, check);
+    const double golden_seconds = check ? check->golden_seconds : -1;
+    write_file(folder_->file("stats.txt"), format_stats(sum, unit.clock_mhz, golden_seconds));
+    write_file(folder_->file("config.toml"), dump_config(unit));
+    write_file(folder_->file("manifest.json"), to_json(manifest));
+    folder_->commit();
+  }
+  if (csv_) csv_->close();
+}
+
+}  // namespace artu::sim

@@ -1,0 +1,32 @@
+// What a run leaves on disk: the folder and the CSV, each complete or absent.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "sim/command/options.h"
+#include "sim/compare/frame_compare.h"
+#include "sim/report/file.h"
+#include "sim/report/manifest.h"
+#include "sim/report/run_folder.h"
+#include "sim/report/stats_json.h"
+
+namespace artu::sim {
+
+class RunReport {
+ public:
+  /// Refuses what exists, before anything slow begins.
+  explicit RunReport(const RunOptions& options);
+  void add(const FrameOutcome& outcome, const Totals& frame);
+  void finish(const Totals& sum, const hw::UnitConfig& unit, const Manifest& manifest, const CheckResult* check);
+  /// "" where none was asked for.
+  std::string folder() const { return folder_ ? folder_->name() : ""; }
+
+ private:
+  std::optional<RunFolder> folder_;
+  std::unique_ptr<AtomicFile> csv_;
+  std::unique_ptr<StatsJson> json_;
+};
+
+}  // namespace artu::sim

@@ -1,0 +1,24 @@
+// The unit's configuration from its defaults, files and `--set`, in the order given.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "hw/unit_config.h"
+
+namespace artu::sim {
+
+/// Every error is an InputError whose place is FILE:LINE or `--set`.  A failed call changes nothing.
+class Configuration {
+ public:
+  void load(const std::string& file);       // TOML
+  void set(const std::string& assignment);  // "path=value"; the value as in TOML, quotes may be left out
+  void check() const;                       // the rules that tie two parameters together
+  const hw::UnitConfig& unit() const { return unit_; }
+
+ private:
+  hw::UnitConfig unit_;
+  std::map<std::string, std::string> places_;  // of each parameter that was set, for check()
+};
+
+}  // namespace artu::sim

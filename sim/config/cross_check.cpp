@@ -1,0 +1,64 @@
+#include "sim/config/cross_check.h"
+
+#include <fmt/format.h>
+
+#include <initializer_list>
+
+#include "sim/config/path_visitor.h"
+#include "traces/error.h"
+
+namespace artu::sim {
+namespace {
+
+using Places = std::map<std::string, std::string>;
+
+/// The place of the first of these parameters that was given anywhere.
+std::string place_of(const Places& places, std::initializer_list<std::string> paths) {
+  for (const std::string& path : paths) {
+    const auto found = places.find(path);
+    if (found != places.end()) return found->second;
+  }
+  return "configuration";
+}
+
+/// Every group with a `size` and `ways` is a cache: a set must fit into it.
+class CacheCheck : public PathVisitor {
+ public:
+  CacheCheck(std::uint32_t line, const Places& places) : line_(line), places_(places) {}
+
+  void integer(const char* name, std::uint32_t& value, hw::IntegerRange, const char*, const char*) override {
+    const std::string field = name;
+    if (field == "size") size_ = value;
+    if (field != "ways") return;
+    const std::uint64_t set = std::uint64_t{value} * line_;
+    if (set <= size_) return;
+    throw InputError(
+        place_of(places_, {path("ways"), path("size")}),
+        fmt::format("{} = {} needs {} bytes in lines of {}, more than {} = {}; at most {} ways would be right",
+                    path("ways"), value, set, line_, path("size"), size_, size_ / line_));
+  }
+  void real(const char*, float&, hw::RealRange, const char*, const char*) override {}
+  void flag(const char*, bool&, const char*) override {}
+  void table(const char*, std::array<std::uint32_t, 8>&, hw::IntegerRange, const char*, const char*) override {}
+  void choice(const char*, unsigned&, const std::vector<const char*>&, const char*) override {}
+
+ private:
+  std::uint32_t line_, size_ = 0;
+  const Places& places_;
+};
+
+}  // namespace
+
+void cross_check(const hw::UnitConfig& unit, const Places& places) {
+  const hw::SelectiveConfig& selective = unit.selective;
+  if (selective.minimum > selective.maximum) {
+    throw InputError(place_of(places, {"selective.minimum", "selective.maximum"}),
+                     fmt::format("selective.minimum = {} is above selective.maximum = {}; at most {} would be right",
+                                 selective.minimum, selective.maximum, selective.maximum));
+  }
+  hw::UnitConfig copy = unit;
+  CacheCheck caches(unit.memory.line, places);
+  copy.visit(caches);
+}
+
+}  // namespace artu::sim

@@ -1,0 +1,106 @@
+#include "sim/config/parameter_list.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hw/unit_config.h"
+#include "sim/config/path_visitor.h"
+#include "sim/config/text.h"
+
+namespace artu::sim {
+namespace {
+
+class Lister : public PathVisitor {
+ public:
+  std::vector<ParameterInfo> parameters;
+  std::vector<std::string> groups;
+
+  void enter(const char* name, const char* text) override {
+    PathVisitor::enter(name, text);
+    groups.push_back(group());
+  }
+  void integer(const char* name, std::uint32_t& value, hw::IntegerRange range, const char* unit,
+               const char* text) override {
+    parameters.push_back({path(name), integer_text(value), unit, range_text(range), text});
+  }
+  void real(const char* name, float& value, hw::RealRange range, const char* unit, const char* text) override {
+    parameters.push_back({path(name), real_text(value), unit, range_text(range), text});
+  }
+  void flag(const char* name, bool& value, const char* text) override {
+    parameters.push_back({path(name), flag_text(value), "", "true, false", text});
+  }
+  void table(const char* name, std::array<std::uint32_t, 8>& value, hw::IntegerRange range, const char* unit,
+             const char* text) override {
+    parameters.push_back({path(name), table_text(value), unit, "8 of " + range_text(range), text});
+  }
+  void choice(const char* name, unsigned& value, const std::vector<const char*>& names, const char* text) override {
+    parameters.push_back({path(name), choice_text(names.at(value)), "", range_text(names), text});
+  }
+};
+
+Lister list() {
+  hw::UnitConfig defaults;
+  Lister lister;
+  defaults.visit(lister);
+  return lister;
+}
+
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] != b[j - 1]);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+    }
+  }
+  return row[b.size()];
+}
+
+std::string last_component(const std::string& path) { return path.substr(path.rfind('.') + 1); }
+
+}  // namespace
+
+std::vector<ParameterInfo> parameter_list() { return list().parameters; }
+
+std::vector<std::string> parameter_groups() { return list().groups; }
+
+std::string nearest_parameter(const std::string& path) {
+  const std::string wanted = path.substr(0, 200);  // a name longer than that resembles nothing
+  std::string nearest;
+  std::size_t best = ~std::size_t{0};
+  for (const ParameterInfo& parameter : parameter_list()) {
+    // A right name in the wrong group is nearer than a wrong name in the right group.
+    const std::size_t distance = edit_distance(wanted, parameter.path) +
+                                 2 * edit_distance(last_component(wanted), last_component(parameter.path));
+    if (distance < best) {
+      best = distance;
+      nearest = parameter.path;
+    }
+  }
+  return nearest;
+}
+
+std::string format_parameter_list() {
+  const std::vector<ParameterInfo> parameters = parameter_list();
+  std::size_t path = 4, value = 7, unit = 4, range = 5;
+  for (const ParameterInfo& p : parameters) {
+    path = std::max(path, p.path.size());
+    value = std::max(value, p.default_value.size());
+    unit = std::max(unit, p.unit.size());
+    range = std::max(range, p.range.size());
+  }
+  const auto line = [&](const ParameterInfo& p) {
+    return fmt::format("{:<{}}  {:<{}}  {:<{}}  {:<{}}  {}\n", p.path, path, p.default_value, value, p.unit, unit,
+                       p.range, range, p.text);
+  };
+  std::string out = line({"path", "default", "unit", "range", "text"});
+  for (const ParameterInfo& p : parameters) out += line(p);
+  return out;
+}
+
+}  // namespace artu::sim

@@ -1,0 +1,29 @@
+// All parameters as a flat list: what `--list-params` prints, and the names that messages suggest.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace artu::sim {
+
+struct ParameterInfo {
+  std::string path;           // core.node_cache.size
+  std::string default_value;  // as TOML
+  std::string unit;           // "" for a pure number
+  std::string range;          // "256 ... 67108864, a power of two"
+  std::string text;
+};
+
+/// In the order of declaration.
+std::vector<ParameterInfo> parameter_list();
+
+/// The paths of all groups: unit, core, core.node_cache ...
+std::vector<std::string> parameter_groups();
+
+/// The parameter that a misspelt path most likely means.
+std::string nearest_parameter(const std::string& path);
+
+/// The table that `--list-params` prints.
+std::string format_parameter_list();
+
+}  // namespace artu::sim

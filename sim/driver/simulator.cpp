@@ -1,0 +1,103 @@
+#include "sim/driver/simulator.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "hw/ray_tracing_unit.h"
+#include "sim/driver/image_builder.h"
+#include "traces/error.h"
+
+namespace artu::sim {
+
+namespace {
+
+/// SystemC has one current context; each simulator has its own, so that a process can hold several.
+class Context {
+ public:
+  Context() : own_(new sc_core::sc_simcontext), before_(sc_core::sc_curr_simcontext) { enter(); }
+  ~Context() {
+    if (sc_core::sc_curr_simcontext == own_) sc_core::sc_curr_simcontext = before_;
+  }
+  void enter() { sc_core::sc_curr_simcontext = sc_core::sc_default_global_context = own_; }
+
+ private:
+  sc_core::sc_simcontext* own_;
+  sc_core::sc_simcontext* before_;
+};
+
+hw::RunMode mode_of(const SimulationOptions& options) {
+  return {options.clocked, options.shuffle_ticks, options.random_stall, options.seed};
+}
+
+std::uint64_t sum(const hw::Statistics& statistics, const std::string& name) {
+  std::uint64_t total = 0;
+  for (const hw::Statistic& s : statistics) {
+    if (s.name == name) total += s.value;
+  }
+  return total;
+}
+
+}  // namespace
+
+struct Simulator::Impl {
+  Impl(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options)
+      : scene(scene),
+        config(config),
+        builder(scene, image),
+        unit("unit", config, mode_of(options), image, {options.fault, options.fault_bit}) {}
+
+  void check_stack(const traces::Frame& frame) const {
+    const std::uint32_t depth = std::max(builder.static_depth(), builder.dynamic_depth()) + 1;
+    if (depth > config.core.stack_entries) {
+      throw InputError(scene.name + ": frame " + std::to_string(frame.index),
+                       "the tree needs a stack of " + std::to_string(depth) + " entries; core.stack_entries is " +
+                           std::to_string(config.core.stack_entries));
+    }
+  }
+
+  const traces::Scene& scene;
+  const hw::UnitConfig config;
+  hw::MemoryImage image;
+  ImageBuilder builder;
+  Context context;
+  hw::RayTracingUnit unit;
+};
+
+Simulator::Simulator(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options)
+    : impl_(std::make_unique<Impl>(scene, config, options)) {}
+
+Simulator::~Simulator() { impl_->context.enter(); }
+
+FrameOutcome Simulator::run(const traces::Frame& frame) {
+  Impl& impl = *impl_;
+  impl.context.enter();
+  const hw::Address descriptor = impl.builder.add(frame);
+  impl.check_stack(frame);
+
+  FrameOutcome outcome;
+  outcome.index = frame.index;
+  outcome.width = impl.scene.width;
+  outcome.height = impl.scene.height;
+  outcome.pixels.resize(std::size_t{impl.scene.width} * impl.scene.height);
+  const auto before = std::chrono::steady_clock::now();
+  hw::FrameResult result = impl.unit.run(descriptor, &outcome.pixels);
+  outcome.simulation_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+  if (result.dead_locked) throw DeadLock("frame " + std::to_string(frame.index) + ": " + result.picture);
+
+  outcome.cycles = result.cycles;
+  outcome.static_triangles = impl.scene.static_geometry.triangle_count();
+  outcome.dynamic_triangles = frame.dynamic.triangle_count();
+  outcome.rays_primary = sum(result.statistics, "primary_rays");
+  outcome.rays_shadow = sum(result.statistics, "shadow_rays");
+  outcome.rays_reflection = sum(result.statistics, "reflection_rays");
+  outcome.rays_refraction = sum(result.statistics, "refraction_rays");
+  outcome.node_visits = sum(result.statistics, "node_visits");
+  outcome.triangle_tests = sum(result.statistics, "triangle_tests");
+  outcome.dram_read_bytes = sum(result.statistics, "read_bytes");
+  outcome.dram_write_bytes = sum(result.statistics, "write_bytes");
+  outcome.statistics = std::move(result.statistics);
+  outcome.violations = std::move(result.violations);
+  return outcome;
+}
+
+}  // namespace artu::sim

@@ -1,0 +1,62 @@
+// The driver: a trace's scene and frames -> memory image and trees -> the unit -> what came out.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hw/fabric/statistics.h"
+#include "hw/pixel_record.h"
+#include "hw/run_mode.h"
+#include "hw/unit_config.h"
+#include "traces/frame.h"
+
+namespace artu::sim {
+
+/// How the model is run; none of it changes a pixel, only `random_stall` changes cycles.
+struct SimulationOptions {
+  bool clocked = false;           // tick every block in every cycle, not only those that are awake
+  bool random_stall = false;      // random extra latency on every channel
+  bool shuffle_ticks = false;     // random order of blocks within each cycle
+  std::uint64_t seed = 1;         // of the two above
+  hw::Datapath fault = hw::Datapath::none;  // this datapath's result is falsified, to show that a check sees it
+  std::uint32_t fault_bit = 0;              // the bit that is inverted
+};
+
+/// One frame as the unit rendered it.
+struct FrameOutcome {
+  std::uint32_t index = 0;              // Frame::index
+  std::uint32_t width = 0, height = 0;
+  std::uint64_t cycles = 0;             // of the unit's clock, from start to the last write-back
+  std::uint64_t static_triangles = 0, dynamic_triangles = 0;
+  std::uint64_t rays_primary = 0, rays_shadow = 0, rays_reflection = 0, rays_refraction = 0;
+  std::uint64_t node_visits = 0, triangle_tests = 0;
+  std::uint64_t dram_read_bytes = 0, dram_write_bytes = 0;
+  hw::PixelRecords pixels;              // row by row
+  hw::Statistics statistics;            // all counters of all blocks, in a fixed order
+  std::vector<std::string> violations;  // accounting laws that do not hold: must be empty
+  double simulation_seconds = 0;        // the unit alone; loading and tree builds are not in it
+};
+
+/// The watchdog found that no token moves; what() is the picture of who waits for whom.  Exit code 3.
+class DeadLock : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// One unit, elaborated once; frames can be run in any order with the same result.
+class Simulator {
+ public:
+  /// `scene` must outlive the simulator.  Throws InputError where scene and unit do not fit together.
+  Simulator(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options);
+  ~Simulator();
+  FrameOutcome run(const traces::Frame& frame);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace artu::sim

@@ -1,0 +1,52 @@
+// Files that are written whole or not at all, and errors that name them.
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "sim/report/interruption.h"
+
+namespace artu::sim {
+
+/// Every failure (no permission, disk full) is an InputError with the file's name.
+class OutputFile {
+ public:
+  explicit OutputFile(const std::string& name);
+  void write(std::string_view text);
+  void close();  // a file that was not closed may lack its end
+  const std::string& name() const { return name_; }
+
+ private:
+  struct Closer {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  [[noreturn]] void fail() const;
+
+  std::string name_;
+  std::unique_ptr<std::FILE, Closer> file_;
+};
+
+/// Writes NAME.partial and renames it at close(); without close() nothing is left.
+class AtomicFile {
+ public:
+  /// Refuses a file that exists, unless `force`.
+  AtomicFile(const std::string& name, bool force);
+  ~AtomicFile();
+  void write(std::string_view text) { file_->write(text); }
+  void close();
+
+ private:
+  std::string name_;
+  RemoveOnInterrupt guard_;
+  std::unique_ptr<OutputFile> file_;
+};
+
+/// Throws InputError if `name` exists already and `force` is not given, or it is no regular file.
+void refuse_existing(const std::string& name, bool force);
+
+void write_file(const std::string& name, std::string_view text);
+std::string read_file(const std::string& name);
+
+}  // namespace artu::sim

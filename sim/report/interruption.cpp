@@ -1,0 +1,66 @@
+#include "sim/report/interruption.h"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <mutex>
+#include <set>
+#include <thread>
+
+namespace artu::sim {
+namespace {
+
+struct Guarded {
+  std::mutex mutex;
+  std::set<std::string> paths;
+};
+
+/// Never destroyed: the waiting thread lives as long as the process.
+Guarded& guarded() {
+  static auto* const instance = new Guarded;
+  return *instance;
+}
+
+/// A thread of its own may use the file system, which a signal handler must not.
+[[noreturn]] void wait_for(const sigset_t& signals) {
+  int signal = 0;
+  while (sigwait(&signals, &signal) != 0) {
+  }
+  const std::lock_guard<std::mutex> lock(guarded().mutex);
+  for (const std::string& path : guarded().paths) {
+    std::error_code error;
+    // Another thread may still put a file into the folder while it is removed.
+    for (int attempt = 0; attempt < 10; ++attempt) {
+      std::filesystem::remove_all(path, error);
+      if (!error) break;
+    }
+  }
+  _exit(128 + signal);
+}
+
+}  // namespace
+
+void handle_interruptions() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    sigaction(signal, nullptr, &action);
+    if (action.sa_handler != SIG_IGN) sigaddset(&signals, signal);  // nohup stays in force
+  }
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread([signals] { wait_for(signals); }).detach();
+}
+
+RemoveOnInterrupt::RemoveOnInterrupt(std::string path) : path_(std::move(path)) {
+  const std::lock_guard<std::mutex> lock(guarded().mutex);
+  guarded().paths.insert(path_);
+}
+
+RemoveOnInterrupt::~RemoveOnInterrupt() {
+  const std::lock_guard<std::mutex> lock(guarded().mutex);
+  guarded().paths.erase(path_);
+}
+
+}  // namespace artu::sim

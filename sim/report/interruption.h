@@ -1,0 +1,24 @@
+// Ctrl-C leaves nothing half-written.
+#pragma once
+
+#include <string>
+
+namespace artu::sim {
+
+/// From now on SIGINT, SIGTERM and SIGHUP remove what is guarded and end the program with 128 + the signal's number.
+/// Call once, before any thread is started.
+void handle_interruptions();
+
+/// Guards a file or folder while it is incomplete.
+class RemoveOnInterrupt {
+ public:
+  explicit RemoveOnInterrupt(std::string path);
+  ~RemoveOnInterrupt();
+  RemoveOnInterrupt(const RemoveOnInterrupt&) = delete;
+  RemoveOnInterrupt& operator=(const RemoveOnInterrupt&) = delete;
+
+ private:
+  std::string path_;
+};
+
+}  // namespace artu::sim

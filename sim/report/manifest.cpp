@@ -1,0 +1,26 @@
+#include "sim/report/manifest.h"
+
+#include <nlohmann/json.hpp>
+
+namespace artu::sim {
+
+std::string to_json(const Manifest& m) {
+  const nlohmann::ordered_json json = {
+      {"program", "artu"},
+      {"version", m.version},
+      {"command", m.command},
+      {"input", {{"file", m.input}, {"sha256", m.input_sha256}, {"kind", m.input_is_trace ? "trace" : "scene"}}},
+      {"frames", {{"first", m.first_frame}, {"last", m.last_frame}}},
+      {"size", {{"width", m.width}, {"height", m.height}}},
+      {"fps", m.fps},
+      {"checked", m.checked},
+      {"fidelity", m.simulation.clocked ? "clocked" : "event"},
+      {"random_stall", m.simulation.random_stall},
+      {"shuffle", m.simulation.shuffle_ticks},
+      {"seed", m.simulation.seed},
+  };
+  // A file name need not be UTF-8; JSON must be.
+  return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace artu::sim

@@ -1,0 +1,26 @@
+// manifest.json: what was run, so that it can be run again.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/driver/simulator.h"
+
+namespace artu::sim {
+
+struct Manifest {
+  std::vector<std::string> command;  // the words of the command line
+  std::string version;
+  std::string input, input_sha256;
+  bool input_is_trace = false;
+  std::uint32_t first_frame = 0, last_frame = 0;  // half-open
+  std::uint32_t width = 0, height = 0;
+  double fps = 0;  // of the animation
+  bool checked = false;
+  SimulationOptions simulation;
+};
+
+std::string to_json(const Manifest& manifest);
+
+}  // namespace artu::sim

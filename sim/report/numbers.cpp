@@ -1,0 +1,168 @@
+#include "sim/report/numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace artu::sim {
+namespace {
+
+/// 0 / 0 is 0 in a report: a frame without rays has no rays per second.
+double ratio(double a, double b) { return b == 0 ? 0 : a / b; }
+
+bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+bool is_peak(const std::string& name) {
+  return starts_with(name, "peak_") || starts_with(name, "max_") || ends_with(name, "_peak") || ends_with(name, "_max");
+}
+
+void add(hw::Statistics& sum, const hw::Statistics& frame) {
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    // The order is fixed, so the counter is nearly always at the same place.
+    const hw::Statistic& counter = frame[i];
+    const auto same = [&](const hw::Statistic& s) { return s.block == counter.block && s.name == counter.name; };
+    auto found = i < sum.size() && same(sum[i]) ? sum.begin() + i : std::find_if(sum.begin(), sum.end(), same);
+    if (found == sum.end()) {
+      sum.push_back(counter);
+    } else {
+      found->value = is_peak(counter.name) ? std::max(found->value, counter.value) : found->value + counter.value;
+    }
+  }
+}
+
+void count_pixels(const hw::PixelRecords& pixels, Totals& totals) {
+  for (const hw::PixelRecord& pixel : pixels) {
+    totals.sampled += pixel.decision == hw::Decision::sampled;
+    totals.interpolated += pixel.decision == hw::Decision::interpolated;
+    totals.traced += pixel.decision == hw::Decision::traced;
+    totals.miss += pixel.hit_class == hw::HitClass::miss;
+    totals.static_hits += pixel.hit_class == hw::HitClass::static_geometry;
+    totals.dynamic_hits += pixel.hit_class == hw::HitClass::dynamic_geometry;
+  }
+}
+
+/// Hits and misses of all caches of a kind: "core0.node_cache" and "core1.node_cache" are one kind.
+struct HitRate {
+  std::string kind;
+  std::uint64_t hits = 0, misses = 0;
+};
+
+std::vector<HitRate> hit_rates(const hw::Statistics& statistics) {
+  std::vector<HitRate> rates;
+  for (const hw::Statistic& s : statistics) {
+    if (s.name != "hits" && s.name != "misses") continue;
+    const std::string kind = s.block.substr(s.block.rfind('.') + 1);
+    auto rate = std::find_if(rates.begin(), rates.end(), [&](const HitRate& r) { return r.kind == kind; });
+    if (rate == rates.end()) rate = rates.insert(rates.end(), {kind});
+    (s.name == "hits" ? rate->hits : rate->misses) += s.value;
+  }
+  return rates;
+}
+
+}  // namespace
+
+Totals totals_of(const FrameOutcome& o) {
+  Totals t;
+  t.frames = 1;
+  t.cycles = o.cycles;
+  t.static_triangles = o.static_triangles;
+  t.dynamic_triangles = o.dynamic_triangles;
+  count_pixels(o.pixels, t);
+  t.rays_primary = o.rays_primary;
+  t.rays_shadow = o.rays_shadow;
+  t.rays_reflection = o.rays_reflection;
+  t.rays_refraction = o.rays_refraction;
+  t.node_visits = o.node_visits;
+  t.triangle_tests = o.triangle_tests;
+  t.dram_read_bytes = o.dram_read_bytes;
+  t.dram_write_bytes = o.dram_write_bytes;
+  t.simulation_seconds = o.simulation_seconds;
+  t.statistics = o.statistics;
+  return t;
+}
+
+void add(Totals& sum, const Totals& frame) {
+  static constexpr std::uint64_t Totals::*counts[] = {
+      &Totals::frames,       &Totals::cycles,         &Totals::sampled,         &Totals::interpolated,
+      &Totals::traced,       &Totals::miss,           &Totals::static_hits,     &Totals::dynamic_hits,
+      &Totals::rays_primary, &Totals::rays_shadow,    &Totals::rays_reflection, &Totals::rays_refraction,
+      &Totals::node_visits,  &Totals::triangle_tests, &Totals::dram_read_bytes, &Totals::dram_write_bytes};
+  for (const auto count : counts) sum.*count += frame.*count;
+  sum.static_triangles = std::max(sum.static_triangles, frame.static_triangles);
+  sum.dynamic_triangles = std::max(sum.dynamic_triangles, frame.dynamic_triangles);
+  sum.simulation_seconds += frame.simulation_seconds;
+  add(sum.statistics, frame.statistics);
+}
+
+std::vector<Number> frame_numbers(const Totals& t) {
+  const double traced_share = ratio(static_cast<double>(t.sampled + t.traced), static_cast<double>(t.pixels()));
+  return {
+      {"cycles", t.cycles, "cycles", "of the unit's clock, from start to the last write-back"},
+      {"triangles.static", t.static_triangles, "triangles", "static geometry"},
+      {"triangles.dynamic", t.dynamic_triangles, "triangles", "dynamic geometry (of several frames: the most)"},
+      {"rays.primary", t.rays_primary, "rays", "traced from the camera"},
+      {"rays.shadow", t.rays_shadow, "rays", "traced towards lights"},
+      {"rays.reflection", t.rays_reflection, "rays", "traced after a mirror"},
+      {"rays.refraction", t.rays_refraction, "rays", "traced through a surface"},
+      {"candidates.interpolated", t.interpolated, "pixels", "candidates whose colour was interpolated"},
+      {"candidates.traced", t.traced, "pixels", "candidates that were ray traced"},
+      {"pixels.total", t.pixels(), "pixels", "of the picture"},
+      {"pixels.sampled", t.sampled, "pixels", "sampling pixels, always ray traced"},
+      {"pixels.miss", t.miss, "pixels", "ray-traced pixels whose primary ray hit nothing"},
+      {"pixels.static", t.static_hits, "pixels", "ray-traced pixels whose primary ray hit static geometry"},
+      {"pixels.dynamic", t.dynamic_hits, "pixels", "ray-traced pixels whose primary ray hit dynamic geometry"},
+      {"traced_share", traced_share, "", "ray-traced pixels, sampled ones included, of all pixels"},
+      {"node_visits", t.node_visits, "nodes", "tree nodes visited by all rays"},
+      {"triangle_tests", t.triangle_tests, "triangles", "triangles tested by all rays"},
+      {"dram.read_bytes", t.dram_read_bytes, "bytes", "read from DRAM"},
+      {"dram.write_bytes", t.dram_write_bytes, "bytes", "written to DRAM"},
+  };
+}
+
+std::vector<Number> derived_numbers(const Totals& t, std::uint32_t clock_mhz) {
+  const auto frames = static_cast<double>(t.frames), cycles = static_cast<double>(t.cycles);
+  const auto rays = static_cast<double>(t.rays());
+  const auto bytes = static_cast<double>(t.dram_read_bytes + t.dram_write_bytes);
+  const double seconds = cycles / (clock_mhz * 1e6);
+  std::vector<Number> numbers = {
+      {"cycles_per_frame", ratio(cycles, frames), "cycles", "mean"},
+      {"fps", ratio(frames, seconds), "frames/s", "simulated frames per second at the configured clock"},
+      {"mrays_per_second", ratio(rays, seconds) / 1e6, "Mrays/s", "simulated, rays of all kinds"},
+      {"rays_per_pixel", ratio(rays, static_cast<double>(t.pixels())), "rays", "of all kinds, mean"},
+      {"node_visits_per_ray", ratio(static_cast<double>(t.node_visits), rays), "nodes", "mean"},
+      {"triangle_tests_per_ray", ratio(static_cast<double>(t.triangle_tests), rays), "triangles", "mean"},
+      {"dram_gb_per_second", ratio(bytes, seconds) / 1e9, "GB/s", "simulated DRAM traffic, both ways"},
+      {"dram_bytes_per_ray", ratio(bytes, rays), "bytes", "DRAM traffic, both ways"},
+  };
+  for (const HitRate& rate : hit_rates(t.statistics)) {
+    numbers.push_back({"hit_rate." + rate.kind,
+                       ratio(static_cast<double>(rate.hits), static_cast<double>(rate.hits + rate.misses)), "",
+                       "share of hits, all caches of the kind together"});
+  }
+  return numbers;
+}
+
+std::vector<Number> simulation_numbers(const Totals& t, double golden_seconds) {
+  const double seconds = t.simulation_seconds;
+  std::vector<Number> numbers = {
+      {"wall_seconds", seconds, "s", "wall time of the simulation, without loading and tree builds"},
+      {"rays_per_second", ratio(static_cast<double>(t.rays()), seconds), "rays/s", "simulation speed"},
+      {"node_visits_per_second", ratio(static_cast<double>(t.node_visits), seconds), "nodes/s", "simulation speed"},
+      {"cycles_per_second", ratio(static_cast<double>(t.cycles), seconds), "cycles/s", "simulation speed"},
+  };
+  if (golden_seconds >= 0) {
+    numbers.push_back({"golden_seconds", golden_seconds, "s", "wall time of the golden model, without tree builds"});
+  }
+  return numbers;
+}
+
+std::string value_text(const Number& number) {
+  if (const auto* count = std::get_if<std::uint64_t>(&number.value)) return fmt::format("{}", *count);
+  return fmt::format("{:.6g}", std::get<double>(number.value));
+}
+
+}  // namespace artu::sim

@@ -1,0 +1,45 @@
+#include "sim/report/summary.h"
+
+#include <fmt/format.h>
+
+namespace artu::sim {
+namespace {
+
+/// 1234567 -> "1,234,567"
+std::string grouped(double value) {
+  std::string digits = fmt::format("{:.0f}", value);
+  for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) digits.insert(at, ",");
+  return digits;
+}
+
+double value_of(const std::vector<Number>& numbers, const std::string& name) {
+  for (const Number& n : numbers) {
+    if (n.name == name) return std::visit([](auto v) { return static_cast<double>(v); }, n.value);
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string format_summary(const SummaryHeading& h, const Totals& sum) {
+  const auto numbers = frame_numbers(sum), derived = derived_numbers(sum, h.clock_mhz);
+  const auto simulation = simulation_numbers(sum, -1);
+  std::string out;
+  const auto line = [&](const char* name, const std::string& text) { out += fmt::format("{:<12}{}\n", name, text); };
+  line("scene", fmt::format("{}, {}x{}", h.scene, h.width, h.height));
+  line("triangles", fmt::format("{} static, {} dynamic", grouped(static_cast<double>(sum.static_triangles)),
+                                grouped(static_cast<double>(sum.dynamic_triangles))));
+  line("frames", fmt::format("{} ({}:{})", sum.frames, h.first_frame, h.last_frame));
+  line("cycles", fmt::format("{} per frame", grouped(value_of(derived, "cycles_per_frame"))));
+  line("speed", fmt::format("{:.2f} frames/s, {:.2f} Mrays/s at {} MHz", value_of(derived, "fps"),
+                            value_of(derived, "mrays_per_second"), h.clock_mhz));
+  line("ray traced", fmt::format("{:.1f} % of the pixels", 100 * value_of(numbers, "traced_share")));
+  line("DRAM", fmt::format("{:.3f} GB/s, {:.1f} bytes per ray", value_of(derived, "dram_gb_per_second"),
+                           value_of(derived, "dram_bytes_per_ray")));
+  line("simulation", fmt::format("{:.2f} s, {} rays/s, {} cycles/s", value_of(simulation, "wall_seconds"),
+                                 grouped(value_of(simulation, "rays_per_second")),
+                                 grouped(value_of(simulation, "cycles_per_second"))));
+  return out;
+}
+
+}  // namespace artu::sim

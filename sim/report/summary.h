@@ -1,0 +1,20 @@
+// What `artu run` prints when it is done: the answer in about ten lines.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "sim/report/numbers.h"
+
+namespace artu::sim {
+
+struct SummaryHeading {
+  std::string scene;  // name or file
+  std::uint32_t width = 0, height = 0;
+  std::uint32_t first_frame = 0, last_frame = 0;  // half-open
+  std::uint32_t clock_mhz = 0;
+};
+
+std::string format_summary(const SummaryHeading& heading, const Totals& sum);
+
+}  // namespace artu::sim
