@@ -45,6 +45,7 @@ void ClockDomain::begin_frame() {
   far_next_ = never;
   now_ = 0;
   watched_from_ = 0;
+  watched_progress_ = 0;
   dead_locked_ = false;
   running_ = true;
   frame_start_ = sc_core::sc_time_stamp();
