@@ -81,6 +81,11 @@ class Fifo : public Channel {
   bool can_push(std::uint32_t n = 1) {
     const std::uint32_t freed_later = last_pop_ == timeline_->now ? popped_now_ : 0;
     if (count_ + freed_later + n <= capacity_) return true;
+    if (freed_later != 0) {
+      // The pop of this very cycle came before this call: it could not know that someone waits.
+      ClockDomain& domain = producer_->domain();
+      domain.wake(*producer_, domain.now() + 1);
+    }
     producer_waits_ = true;
     return false;
   }

@@ -35,9 +35,11 @@ double value_of(const std::vector<Number>& numbers, const std::string& name) {
 std::string format_stats(const Totals& sum, std::uint32_t clock_mhz, double golden_seconds) {
   const std::vector<Number> numbers = all_numbers(sum, clock_mhz, golden_seconds);
   std::string out = fmt::format(
-      "# {} frames at {} MHz: {:.0f} cycles per frame, {:.2f} fps, {:.2f} Mrays/s, {:.1f} % of the pixels ray traced\n",
-      sum.frames, clock_mhz, value_of(numbers, "derived.cycles_per_frame"), value_of(numbers, "derived.fps"),
-      value_of(numbers, "derived.mrays_per_second"), 100 * value_of(numbers, "traced_share"));
+      "# {} frame{} at {} MHz: {:.0f} cycles per frame, {:.2f} fps, {:.2f} Mrays/s, {:.1f} % of the pixels ray "
+      "traced\n",
+      sum.frames, sum.frames == 1 ? "" : "s", clock_mhz, value_of(numbers, "derived.cycles_per_frame"),
+      value_of(numbers, "derived.fps"), value_of(numbers, "derived.mrays_per_second"),
+      100 * value_of(numbers, "traced_share"));
   out += "\n# Where do the cycles go: all frames together, \"core\" is the mean of the cores\n";
   out += format_cycle_table(sum.statistics);
   out += "\n# All numbers, summed over the frames: name value unit # text\n";
