@@ -34,8 +34,7 @@ void ClockDomain::wake(const Block& block, Cycle cycle) {
     wheel_[slot * words_ + block.index_ / 64] |= std::uint64_t{1} << (block.index_ % 64);
     occupied_[slot / 64] |= std::uint64_t{1} << (slot % 64);
   }
-  // Another domain's block woke one of ours: our event may have to come earlier.
-  if (!working_ && running_) schedule();
+  if (!timeline_.driven && running_) schedule();
 }
 
 void ClockDomain::begin_frame() {
@@ -49,13 +48,13 @@ void ClockDomain::begin_frame() {
   dead_locked_ = false;
   running_ = true;
   frame_start_ = sc_core::sc_time_stamp();
-  working_ = true;
   for (Block* block : blocks_) {
     block->reset();
     block->begin_frame(0);
   }
+  timeline_.driven = true;
   for (Block* block : blocks_) wake(*block, 1);
-  working_ = false;
+  timeline_.driven = false;
   schedule();
 }
 
@@ -78,6 +77,7 @@ Cycle ClockDomain::next_cycle() const {
   Cycle found = never;
   const std::size_t start = (now_ + 1) % slots;
   std::size_t word = start / 64;
+  if ((occupied_[word] >> (start % 64) & 1) != 0) return now_ + 1;  // the usual case
   std::uint64_t bits = occupied_[word] & (~std::uint64_t{0} << (start % 64));
   for (std::size_t i = 0; i <= slots / 64; ++i) {
     if (bits != 0) {
@@ -124,32 +124,38 @@ void ClockDomain::refill(Cycle cycle) {
 }
 
 void ClockDomain::step() {
+  // Whichever domain the kernel calls drives all of them from edge to edge, in the order of their ticks, without
+  // going through the kernel again: a kernel event costs as much as ticking thirty blocks.
+  timeline_.driven = true;
   while (running_) {
-    const Cycle cycle = next_cycle();
-    if (cycle == never) return;  // asleep until another domain wakes a block
-    const Tick tick = cycle * period_;
-    // Run on without going through the kernel for as long as no other domain has an earlier edge.
-    for (const ClockDomain* other : timeline_.domains) {
-      if (other != this && other->next_tick() < tick) {
-        schedule();
-        return;
+    ClockDomain* earliest = nullptr;
+    Tick tick = never;
+    for (ClockDomain* domain : timeline_.domains) {
+      const Tick next = domain->next_tick();
+      if (next < tick) {
+        tick = next;
+        earliest = domain;
       }
     }
+    if (earliest == nullptr) break;  // all asleep for good
     timeline_.now = tick;
-    work(cycle);
-    if (cycle - watched_from_ >= watchdog_) {
-      if (watched_progress_ == timeline_.progress) {
-        dead_locked_ = true;
-        finish();
-      }
-      watched_from_ = cycle;
-      watched_progress_ = timeline_.progress;
-    }
+    earliest->work(tick / earliest->period_);
+    earliest->watch();
   }
+  timeline_.driven = false;
+}
+
+void ClockDomain::watch() {
+  if (now_ - watched_from_ < watchdog_) return;
+  if (watched_progress_ == timeline_.progress) {
+    dead_locked_ = true;
+    finish();
+  }
+  watched_from_ = now_;
+  watched_progress_ = timeline_.progress;
 }
 
 void ClockDomain::work(Cycle cycle) {
-  working_ = true;
   now_ = cycle;
   if (far_next_ < cycle + slots) refill(cycle);
   const std::size_t slot = cycle % slots;
@@ -176,7 +182,6 @@ void ClockDomain::work(Cycle cycle) {
       }
     }
   }
-  working_ = false;
 }
 
 Block::Block(sc_core::sc_module_name name, ClockDomain& domain)

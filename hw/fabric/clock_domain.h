@@ -53,6 +53,7 @@ class ClockDomain : public sc_core::sc_module {
   std::size_t add(Block& block);
   void step();
   void work(Cycle cycle);
+  void watch();
   Cycle next_cycle() const;
   Tick next_tick() const;
   void schedule();
@@ -80,7 +81,7 @@ class ClockDomain : public sc_core::sc_module {
   Cycle watchdog_ = never, watched_from_ = 0;
   std::uint64_t watched_progress_ = 0;
   bool dead_locked_ = false;
-  bool running_ = false, working_ = false, clocked_ = false, shuffle_ = false;
+  bool running_ = false, clocked_ = false, shuffle_ = false;
   std::mt19937_64 random_;
   std::vector<std::size_t> order_;
   std::uint64_t ticks_done_ = 0;
