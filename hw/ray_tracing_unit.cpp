@@ -71,6 +71,8 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
   bind_selective();
   bind_cores();
   bind_control();
+  interconnect.flag_requests();
+  frame_writer.flag_sources();
   inject(fault);
   if (mode.random_stall) {
     std::uint64_t number = 0;

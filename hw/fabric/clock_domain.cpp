@@ -25,18 +25,6 @@ void ClockDomain::set_shuffle(bool shuffle, std::uint64_t seed) {
   random_.seed(seed);
 }
 
-void ClockDomain::wake(const Block& block, Cycle cycle) {
-  if (cycle >= now_ + slots) {
-    far_.push_back({cycle, block.index_});
-    far_next_ = std::min(far_next_, cycle);
-  } else {
-    const std::size_t slot = cycle % slots;
-    wheel_[slot * words_ + block.index_ / 64] |= std::uint64_t{1} << (block.index_ % 64);
-    occupied_[slot / 64] |= std::uint64_t{1} << (slot % 64);
-  }
-  if (!timeline_.driven && running_) schedule();
-}
-
 void ClockDomain::begin_frame() {
   std::fill(wheel_.begin(), wheel_.end(), 0);
   std::fill(std::begin(occupied_), std::end(occupied_), 0);

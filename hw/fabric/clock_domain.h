@@ -87,4 +87,17 @@ class ClockDomain : public sc_core::sc_module {
   std::uint64_t ticks_done_ = 0;
 };
 
+// The innermost call of the model: every push and every busy tick makes one.
+inline void ClockDomain::wake(const Block& block, Cycle cycle) {
+  if (cycle < now_ + slots) {
+    const std::size_t slot = cycle % slots;
+    wheel_[slot * words_ + block.index_ / 64] |= std::uint64_t{1} << (block.index_ % 64);
+    occupied_[slot / 64] |= std::uint64_t{1} << (slot % 64);
+  } else {
+    far_.push_back({cycle, block.index_});
+    far_next_ = far_next_ < cycle ? far_next_ : cycle;
+  }
+  if (!timeline_.driven && running_) schedule();
+}
+
 }  // namespace artu::hw

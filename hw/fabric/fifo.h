@@ -31,6 +31,11 @@ class Channel {
     same_domain_ = &producer.domain() == &consumer.domain();
   }
   virtual void reset() = 0;
+  /// Keeps a bit of `word` set while anything is in the channel: its consumer need not look at empty ones.
+  void flag(std::uint64_t& word, unsigned bit) {
+    flags_ = &word;
+    flag_ = std::uint64_t{1} << bit;
+  }
   /// Adds a random latency to pushes; order is kept.
   void stall_randomly(std::uint64_t seed) {
     stalls_ = true;
@@ -53,6 +58,9 @@ class Channel {
   std::uint64_t seed_ = 0;
   std::minstd_rand random_;
   std::uint32_t count_ = 0;
+  std::uint64_t own_flags_ = 0;
+  std::uint64_t* flags_ = &own_flags_;
+  std::uint64_t flag_ = 0;
 };
 
 template <class Token>
@@ -70,6 +78,7 @@ class Fifo : public Channel {
   void reset() override {
     head_ = tail_ = 0;
     count_ = 0;
+    *flags_ &= ~flag_;
     popped_now_ = 0;
     last_pop_ = never;
     last_ready_ = 0;
@@ -102,6 +111,7 @@ class Fifo : public Channel {
     entry.ready = ready;
     entry.token = token;
     ++count_;
+    *flags_ |= flag_;
     ++timeline_->progress;
     domain.wake(*consumer_, ready);
   }
@@ -111,7 +121,7 @@ class Fifo : public Channel {
   const Token& front() const { return entries_[head_ & mask_].token; }
   void pop() {
     ++head_;
-    --count_;
+    if (--count_ == 0) *flags_ &= ~flag_;
     ++timeline_->progress;
     if (last_pop_ != timeline_->now) {
       last_pop_ = timeline_->now;

@@ -13,6 +13,7 @@ Cache::Cache(sc_core::sc_module_name name, ClockDomain& domain, const CacheConfi
     : Block(name, domain), config_(config), sets_(config.size / line_bytes / config.ways) {
   lines_.resize(sets_ * config.ways);
   mshrs_.resize(config.mshrs);
+  mshr_lines_.resize(config.mshrs);
   for (Mshr& mshr : mshrs_) mshr.targets.reserve(config.targets);
 }
 
@@ -21,9 +22,10 @@ void Cache::invalidate() { std::fill(lines_.begin(), lines_.end(), Line{}); }
 void Cache::reset() {
   invalidate();
   for (Mshr& mshr : mshrs_) {
-    mshr.busy = mshr.filled = mshr.dirty = false;
+    mshr.filled = mshr.dirty = false;
     mshr.targets.clear();
   }
+  std::fill(mshr_lines_.begin(), mshr_lines_.end(), 0);
   filled_.clear();
   filled_head_ = 0;
   busy_mshrs_ = outstanding_writes_ = 0;
@@ -46,12 +48,9 @@ Cache::Line* Cache::victim(Address line) {
   return std::min_element(set, set + config_.ways, [](const Line& a, const Line& b) { return a.used < b.used; });
 }
 
-Cache::Mshr* Cache::mshr_of(Address line) {
-  if (busy_mshrs_ == 0) return nullptr;
-  for (Mshr& mshr : mshrs_) {
-    if (mshr.busy && mshr.line == line) return &mshr;
-  }
-  return nullptr;
+/// The MSHR of a line, or a free one for line 0; the number of MSHRs if there is none.
+std::size_t Cache::mshr_of(Address line) const {
+  return static_cast<std::size_t>(std::find(mshr_lines_.begin(), mshr_lines_.end(), line) - mshr_lines_.begin());
 }
 
 /// Puts a line in its set; false if the victim is dirty and cannot be written back in this cycle.
@@ -77,7 +76,7 @@ bool Cache::accept_fill() {
     return true;
   }
   Mshr& mshr = mshrs_[tag];
-  if (!install(mshr.line, mshr.dirty)) return false;
+  if (!install(mshr_lines_[tag], mshr.dirty)) return false;
   below_->response.pop();
   ++fills_;
   mshr.filled = true;
@@ -95,8 +94,9 @@ bool Cache::answer_target() {
   if (!response.can_push()) return false;
   response.push({target.tag, target.source});
   if (++mshr.answered == mshr.targets.size()) {
-    mshr.busy = mshr.filled = mshr.dirty = false;
+    mshr.filled = mshr.dirty = false;
     mshr.targets.clear();
+    mshr_lines_[filled_[filled_head_]] = 0;
     --busy_mshrs_;
     if (++filled_head_ == filled_.size()) {
       filled_.clear();
@@ -108,11 +108,13 @@ bool Cache::answer_target() {
 
 bool Cache::miss(std::size_t client, const MemoryRequest& request) {
   const Target target{request.tag, request.source, static_cast<std::uint16_t>(client)};
-  if (Mshr* mshr = mshr_of(request.line)) {
+  const std::size_t present = busy_mshrs_ == 0 ? mshrs_.size() : mshr_of(request.line);
+  if (present != mshrs_.size()) {
+    Mshr& mshr = mshrs_[present];
     // A filled one is being emptied: its line may already be gone again, so wait for it to be free.
-    if (mshr->filled || mshr->targets.size() == config_.targets) return false;
-    mshr->targets.push_back(target);
-    mshr->dirty |= request.write();
+    if (mshr.filled || mshr.targets.size() == config_.targets) return false;
+    mshr.targets.push_back(target);
+    mshr.dirty |= request.write();
     ++misses_;
     ++merged_;
     return true;
@@ -125,14 +127,13 @@ bool Cache::miss(std::size_t client, const MemoryRequest& request) {
     return true;
   }
   if (busy_mshrs_ == config_.mshrs || !below_->request.can_push()) return false;
-  const auto free = std::find_if(mshrs_.begin(), mshrs_.end(), [](const Mshr& m) { return !m.busy; });
-  free->busy = true;
-  free->line = request.line;
-  free->dirty = request.write();
-  free->targets.push_back(target);
+  const std::size_t free = mshr_of(0);
+  mshr_lines_[free] = request.line;
+  mshrs_[free].dirty = request.write();
+  mshrs_[free].targets.push_back(target);
   ++busy_mshrs_;
   ++misses_;
-  below_->request.push({request.line, 0, static_cast<std::uint32_t>(free - mshrs_.begin()), 0});
+  below_->request.push({request.line, 0, static_cast<std::uint32_t>(free), 0});
   return true;
 }
 

@@ -56,8 +56,7 @@ class Cache : public Block {
     std::uint16_t source, client;
   };
   struct Mshr {
-    Address line = 0;
-    bool busy = false, filled = false, dirty = false;
+    bool filled = false, dirty = false;
     std::uint32_t answered = 0;
     std::vector<Target> targets;
   };
@@ -71,7 +70,7 @@ class Cache : public Block {
   Line* find(Address line);
   Line* victim(Address line);
   bool install(Address line, bool dirty);
-  Mshr* mshr_of(Address line);
+  std::size_t mshr_of(Address line) const;
 
   const CacheConfig config_;
   const std::size_t sets_;  // a power of two
@@ -82,6 +81,7 @@ class Cache : public Block {
 
   std::vector<Line> lines_;
   std::vector<Mshr> mshrs_;
+  std::vector<Address> mshr_lines_;  // line of each MSHR, 0 = free: apart, since every miss looks through all
   std::vector<std::uint32_t> filled_;  // MSHRs with targets to answer, in order of their fills
   std::size_t filled_head_ = 0;
   std::uint32_t busy_mshrs_ = 0;

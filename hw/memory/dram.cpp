@@ -4,12 +4,19 @@
 
 namespace artu::hw {
 
+namespace {
+unsigned log2_of(std::uint64_t power) { return static_cast<unsigned>(__builtin_ctzll(power)); }
+}  // namespace
+
 Dram::Dram(sc_core::sc_module_name name, ClockDomain& domain, const DramConfig& config)
     : Block(name, domain),
       config_(config),
       // Whole bursts; two transfers a clock.
       burst_((line_bytes * 8 + config.bus_bits * config.burst_length - 1) / (config.bus_bits * config.burst_length) *
              (config.burst_length / 2)),
+      channel_shift_(log2_of(config.channels)),
+      bank_shift_(log2_of(config.banks)),
+      row_shift_(log2_of(config.row_bytes / line_bytes)),
       channels_(config.channels) {
   for (Channel_& channel : channels_) channel.banks.resize(config.banks);
 }
@@ -27,9 +34,10 @@ void Dram::reset() {
 
 void Dram::accept(Channel_& channel, std::uint64_t line_index, const MemoryRequest& request, Cycle now) {
   // Line index within the channel: column, then bank, then row, so that a stream stays in open rows.
-  const std::uint64_t lines_a_row = config_.row_bytes / line_bytes;
-  const std::uint64_t bank_index = line_index / lines_a_row % config_.banks;
-  const std::uint64_t row = line_index / lines_a_row / config_.banks;
+  // All three are powers of two.
+  const std::uint64_t row_index = line_index >> row_shift_;
+  const std::uint64_t bank_index = row_index & (config_.banks - 1);
+  const std::uint64_t row = row_index >> bank_shift_;
   Bank& bank = channel.banks[bank_index];
   Cycle column = std::max<Cycle>(now, bank.column_at);
   if (bank.open && bank.row == row) {
@@ -79,9 +87,9 @@ Activity Dram::tick(Cycle now) {
   if (link_->request.can_pop()) {
     const MemoryRequest& request = link_->request.front();
     const std::uint64_t line_index = request.line / line_bytes;
-    Channel_& channel = channels_[line_index % config_.channels];
+    Channel_& channel = channels_[line_index & (config_.channels - 1)];
     if (channel.waiting() < config_.queue_depth) {
-      accept(channel, line_index / config_.channels, request, now);
+      accept(channel, line_index >> channel_shift_, request, now);
       link_->request.pop();
       moved = true;
     }

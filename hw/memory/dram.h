@@ -53,6 +53,7 @@ class Dram : public Block {
 
   const DramConfig config_;
   const Cycle burst_;  // clocks of data bus for a line
+  const unsigned channel_shift_, bank_shift_, row_shift_;
   MemoryLink* link_ = nullptr;
   std::vector<Channel_> channels_;
   RoundRobin arbiter_;

@@ -8,6 +8,13 @@ FrameWriter::FrameWriter(sc_core::sc_module_name name, ClockDomain& domain, cons
                          MemoryImage& image, std::uint32_t entries)
     : Block(name, domain), registers_(registers), image_(image), entries_(entries) {}
 
+void FrameWriter::flag_sources() {
+  waiting_.assign(sources_.size() / 64 + 1, 0);
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    sources_[i]->flag(waiting_[i / 64], static_cast<unsigned>(i % 64));
+  }
+}
+
 void FrameWriter::reset() {
   std::fill(entries_.begin(), entries_.end(), Entry{});
   arbiter_.reset();
@@ -97,7 +104,7 @@ Activity FrameWriter::tick(Cycle now) {
     active_ = true;
     moved = true;
   }
-  const std::size_t chosen = arbiter_.pick(sources_.size(), [&](std::size_t i) { return sources_[i]->can_pop(); });
+  const std::size_t chosen = arbiter_.pick(waiting_, sources_.size(), [&](std::size_t i) { return sources_[i]->can_pop(); });
   if (chosen != sources_.size()) {
     if (write(sources_[chosen]->front())) {
       sources_[chosen]->pop();

@@ -32,6 +32,8 @@ class FrameWriter : public Block {
   FrameWriter(sc_core::sc_module_name name, ClockDomain& domain, const FrameRegisters& registers, MemoryImage& image,
               std::uint32_t entries);
   void add_source(Fifo<PixelToken>& source) { sources_.push_back(&source); }
+  /// After the last source.
+  void flag_sources();
   void bind(MemoryLink& memory, Fifo<PassSize>& pass, Fifo<PassSize>& done) {
     memory_ = &memory;
     pass_ = &pass;
@@ -64,6 +66,7 @@ class FrameWriter : public Block {
   Fifo<PassSize>* done_ = nullptr;
   PixelRecords* records_ = nullptr;
   std::vector<Entry> entries_;
+  std::vector<std::uint64_t> waiting_;  // a bit a source
   RoundRobin arbiter_;
   std::uint64_t clock_ = 0;
   bool active_ = false;

@@ -2,6 +2,13 @@
 
 namespace artu::hw {
 
+void Interconnect::flag_requests() {
+  waiting_.assign(masters_.size() / 64 + 1, 0);
+  for (std::size_t i = 0; i < masters_.size(); ++i) {
+    masters_[i]->request.flag(waiting_[i / 64], static_cast<unsigned>(i % 64));
+  }
+}
+
 void Interconnect::reset() {
   arbiter_.reset();
   requests_ = responses_ = 0;
@@ -10,7 +17,7 @@ void Interconnect::reset() {
 Activity Interconnect::tick(Cycle now) {
   bool moved = false, blocked = false;
   const std::size_t chosen =
-      arbiter_.pick(masters_.size(), [&](std::size_t i) { return masters_[i]->request.can_pop(); });
+      arbiter_.pick(waiting_, masters_.size(), [&](std::size_t i) { return masters_[i]->request.can_pop(); });
   if (chosen != masters_.size()) {
     if (below_->request.can_push()) {
       MemoryRequest request = masters_[chosen]->request.front();

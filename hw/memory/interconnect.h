@@ -17,6 +17,8 @@ class Interconnect : public Block {
  public:
   Interconnect(sc_core::sc_module_name name, ClockDomain& domain) : Block(name, domain) {}
   void add_master(MemoryLink& link) { masters_.push_back(&link); }
+  /// After the last master.
+  void flag_requests();
   void bind_below(MemoryLink& link) { below_ = &link; }
 
   void reset() override;
@@ -27,6 +29,7 @@ class Interconnect : public Block {
 
   std::vector<MemoryLink*> masters_;
   MemoryLink* below_ = nullptr;
+  std::vector<std::uint64_t> waiting_;  // a bit a master
   RoundRobin arbiter_;
   std::uint64_t requests_ = 0, responses_ = 0;
 };
