@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Writes small procedural, animated scenes: make_samples.py FOLDER
+With --default-stage FOLDER: the ground and the glass ball of scripts/scenes/default.stage.toml.
 
 Each is a .gltf with its buffers and images inside, so that nothing but this script is needed to have them:
 ground, mirror_cube (rigid rotation), glass_sphere (refraction, rigid motion), morph_strip (morph targets),
@@ -284,8 +285,12 @@ ambient = [0.13, 0.14, 0.17]
 
 
 def main():
-    if len(sys.argv) != 2:
-        sys.exit("usage: make_samples.py FOLDER")
+    if len(sys.argv) == 3 and sys.argv[1] == "--default-stage":
+        ground(os.path.join(sys.argv[2], "ground.gltf"), size=14.0, tiles=28)
+        sphere(os.path.join(sys.argv[2], "glass_ball.gltf"), GLASS, columns=32, rows=20, bounce=1.4)
+        return
+    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+        sys.exit("usage: make_samples.py [--default-stage] FOLDER")
     folder = sys.argv[1]
     os.makedirs(folder, exist_ok=True)
     ground(os.path.join(folder, "ground.gltf"))

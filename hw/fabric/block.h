@@ -54,7 +54,6 @@ class Block : public sc_core::sc_module {
 
  protected:
   virtual Activity tick(Cycle now) = 0;
-  void wake_at(Cycle cycle);
 
  private:
   friend class ClockDomain;

@@ -175,15 +175,11 @@ void ClockDomain::work(Cycle cycle) {
 Block::Block(sc_core::sc_module_name name, ClockDomain& domain)
     : sc_module(name), domain_(domain), index_(domain.add(*this)) {}
 
-Cycle Block::now() const { return domain_.now(); }
-
 std::string Block::path() const {
   const std::string full = name();
   const std::size_t dot = full.find('.');
   return dot == std::string::npos ? full : full.substr(dot + 1);
 }
-
-void Block::wake_at(Cycle cycle) { domain_.wake(*this, cycle); }
 
 void Block::set_phase(unsigned phase) {
   next_phase_ = phase;

@@ -87,6 +87,8 @@ class ClockDomain : public sc_core::sc_module {
   std::uint64_t ticks_done_ = 0;
 };
 
+inline Cycle Block::now() const { return domain_.now(); }
+
 // The innermost call of the model: every push and every busy tick makes one.
 inline void ClockDomain::wake(const Block& block, Cycle cycle) {
   if (cycle < now_ + slots) {

@@ -30,6 +30,8 @@ void Cache::reset() {
   filled_head_ = 0;
   busy_mshrs_ = outstanding_writes_ = 0;
   arbiter_.reset();
+  changes_ = 0;
+  std::fill(blocked_at_.begin(), blocked_at_.end(), never);
   clock_ = 0;
   flushing_ = false;
   hits_ = misses_ = merged_ = fills_ = write_backs_ = reads_ = writes_ = 0;
@@ -63,6 +65,7 @@ bool Cache::install(Address line, bool dirty) {
     ++write_backs_;
   }
   *place = {line, ++clock_, dirty};
+  ++changes_;
   return true;
 }
 
@@ -97,6 +100,7 @@ bool Cache::answer_target() {
     mshr.filled = mshr.dirty = false;
     mshr.targets.clear();
     mshr_lines_[filled_[filled_head_]] = 0;
+    ++changes_;
     --busy_mshrs_;
     if (++filled_head_ == filled_.size()) {
       filled_.clear();
@@ -112,7 +116,10 @@ bool Cache::miss(std::size_t client, const MemoryRequest& request) {
   if (present != mshrs_.size()) {
     Mshr& mshr = mshrs_[present];
     // A filled one is being emptied: its line may already be gone again, so wait for it to be free.
-    if (mshr.filled || mshr.targets.size() == config_.targets) return false;
+    if (mshr.filled || mshr.targets.size() == config_.targets) {
+      blocked_at_[client] = changes_;
+      return false;
+    }
     mshr.targets.push_back(target);
     mshr.dirty |= request.write();
     ++misses_;
@@ -126,8 +133,13 @@ bool Cache::miss(std::size_t client, const MemoryRequest& request) {
     ++misses_;
     return true;
   }
-  if (busy_mshrs_ == config_.mshrs || !below_->request.can_push()) return false;
+  if (busy_mshrs_ == config_.mshrs) {
+    blocked_at_[client] = changes_;
+    return false;
+  }
+  if (!below_->request.can_push()) return false;
   const std::size_t free = mshr_of(0);
+  ++changes_;
   mshr_lines_[free] = request.line;
   mshrs_[free].dirty = request.write();
   mshrs_[free].targets.push_back(target);
@@ -186,7 +198,7 @@ Activity Cache::tick(Cycle now) {
     // A client whose request cannot be served does not keep the others from being served.
     const std::size_t client = arbiter_.pick(clients_.size(), [&](std::size_t i) {
       if (!clients_[i]->request.can_pop()) return false;
-      if (serve(i, blocked_out)) return true;
+      if (blocked_at_[i] != changes_ && serve(i, blocked_out)) return true;
       blocked_mem = true;
       return false;
     });

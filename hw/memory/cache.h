@@ -24,7 +24,10 @@ class Cache : public Block {
   Cache(sc_core::sc_module_name name, ClockDomain& domain, const CacheConfig& config);
 
   /// Ports.
-  void add_client(MemoryLink& link) { clients_.push_back(&link); }
+  void add_client(MemoryLink& link) {
+    clients_.push_back(&link);
+    blocked_at_.push_back(never);
+  }
   void bind_below(MemoryLink& link) { below_ = &link; }
   /// Optional: a command writes all dirty lines back, `flushed` answers when the memory below has them.
   void bind_flush(Fifo<CacheCommand>& flush, Fifo<CacheCommand>& flushed) {
@@ -86,6 +89,9 @@ class Cache : public Block {
   std::size_t filled_head_ = 0;
   std::uint32_t busy_mshrs_ = 0;
   RoundRobin arbiter_;
+  // A miss that found no MSHR need not be looked at again before the MSHRs or the lines have changed.
+  std::uint64_t changes_ = 0;
+  std::vector<std::uint64_t> blocked_at_;  // by client: the value of changes_ when its miss was turned away
   std::uint64_t clock_ = 0;  // for LRU
   bool flushing_ = false;
   std::size_t flush_at_ = 0;

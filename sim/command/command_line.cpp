@@ -2,12 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <functional>
-#include <new>
-#include <system_error>
 
 #include "sim/command/commands.h"
 #include "sim/command/ranges.h"
@@ -22,7 +17,7 @@ constexpr const char* examples = R"(Examples:
   artu run scene.glb --frames 0:30 --size 320x180        30 frames of a glTF animation
   artu run scene.glb -c phone.toml --set core.count=4    another unit
   artu check scene.glb --frames 12                       frame 12 against the golden model
-  artu import scene.glb --frames all -o scene.trace      all frames as a trace, to run without the scene
+  artu import scene.glb --frames all -o scene.artu       all frames as a trace, to run without the scene
   artu diff a.png b.png                                  how far two pictures are apart
   artu run --list-params                                 what can be configured
 
@@ -99,6 +94,15 @@ std::string one_line(std::string text) {
   return text;
 }
 
+/// CLI11 would only say that a command is missing.
+void refuse_unknown_command(const CLI::App& app, int argc, const char* const* argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
+  if (!app.get_subcommands(is_named).empty()) return;
+  throw InputError("command line",
+                   fmt::format("unknown command \"{}\"; run, check, import or diff would be right", one_line(argv[1])));
+}
+
 int parse_and_run(int argc, const char* const* argv) {
   CLI::App app("ARTU: a cycle-approximate model of a mobile ray-tracing unit, exact to the bit in every pixel", "artu");
   app.set_version_flag("--version", std::string("artu ") + ARTU_VERSION, "Print the version and end");
@@ -144,6 +148,7 @@ int parse_and_run(int argc, const char* const* argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    refuse_unknown_command(app, argc, argv);
     throw InputError("command line", one_line(error.what()) + "; artu --help shows what would be right");
   }
   return chosen();
@@ -153,27 +158,7 @@ int parse_and_run(int argc, const char* const* argv) {
 
 int main_command(int argc, const char* const* argv) {
   handle_interruptions();
-  int code = exit_internal;
-  try {
-    code = parse_and_run(argc, argv);
-    if (std::fflush(stdout) != 0) throw InputError("standard output", std::strerror(errno));
-    return code;
-  } catch (const InputError& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
-    return exit_input;
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "error: out of memory; a smaller --size or scene would be right\n");
-    return exit_input;
-  } catch (const std::system_error& error) {  // fmt could not print
-    fmt::print(stderr, "error: standard output: {}; a place with room would be right\n", error.code().message());
-    return exit_input;
-  } catch (const DeadLock& error) {
-    fmt::print(stderr, "error: dead-lock: {}\n", error.what());
-    return exit_dead_lock;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "error: internal: {}\n", error.what());
-    return exit_internal;
-  }
+  return exit_code_of([&] { return parse_and_run(argc, argv); });
 }
 
 }  // namespace artu::sim

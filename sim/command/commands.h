@@ -1,7 +1,9 @@
 // The commands.  Each returns the exit code; bad input throws InputError, a dead-lock DeadLock.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "sim/command/options.h"
 
@@ -13,7 +15,13 @@ int run_command(const RunOptions& options);
 int import_command(const ImportOptionsOfCommand& options);
 int diff_command(const std::string& a, const std::string& b);
 
-/// Parses, runs, and turns every exception into one line on stderr and its exit code.
+/// Parses the command line and runs what it asks for.
 int main_command(int argc, const char* const* argv);
+
+/// Turns an exception into one line on stderr and its exit code.
+int exit_code_of(const std::function<int()>& command);
+
+/// The importer's notes, on stderr.  Only after success, so that an error is the one line there is.
+void print_notes(const std::vector<std::string>& notes, bool quiet);
 
 }  // namespace artu::sim

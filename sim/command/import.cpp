@@ -28,6 +28,11 @@ std::size_t write_frames(const FrameSource& source, const traces::Scene& scene, 
 
 }  // namespace
 
+void print_notes(const std::vector<std::string>& notes, bool quiet) {
+  if (quiet) return;
+  for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", note);
+}
+
 int import_command(const ImportOptionsOfCommand& options) {
   require_file(options.source.path);
   if (traces::is_trace(options.source.path)) {
@@ -37,9 +42,6 @@ int import_command(const ImportOptionsOfCommand& options) {
   refuse_existing(options.output, options.force);
   std::vector<std::string> log;
   const FrameSource source(options.source, log);
-  if (!options.quiet) {
-    for (const std::string& note : log) fmt::print(stderr, "note: {}\n", note);
-  }
   const traces::Scene& scene = source.scene();
   std::size_t dynamic = 0;
   if (scene.frame_count == source.range().count()) {
@@ -49,6 +51,7 @@ int import_command(const ImportOptionsOfCommand& options) {
     counted.frame_count = source.range().count();
     dynamic = write_frames(source, counted, options);
   }
+  print_notes(log, options.quiet);
   if (!options.quiet) {
     fmt::print("{}: {}x{}, frames {}:{}, {} static and up to {} dynamic triangles\n", options.output, scene.width,
                scene.height, source.range().first, source.range().last, scene.static_geometry.triangle_count(),

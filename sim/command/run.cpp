@@ -116,11 +116,9 @@ int run_command(const RunOptions& options) {
 
   std::vector<std::string> log;
   const FrameSource source(options.source, log);
-  if (!options.quiet) {
-    for (const std::string& note : log) fmt::print(stderr, "note: {}\n", note);
-  }
   Simulator simulator(source.scene(), unit, options.simulation);
   if (options.dry_run) {
+    print_notes(log, options.quiet);
     print_dry_run(options, source);
     return exit_fine;
   }
@@ -130,6 +128,7 @@ int run_command(const RunOptions& options) {
   const RunResult result = run_frames(source, simulator, golden.get(), options.quiet, *report);
   report->finish(result.sum, unit, manifest_of(options, source), golden ? &result.check : nullptr);
 
+  print_notes(log, options.quiet);
   if (!options.quiet) {
     const traces::Scene& scene = source.scene();
     fmt::print("{}", format_summary({options.source.path, scene.width, scene.height, source.range().first,

@@ -17,7 +17,8 @@ std::array<double, window> gaussian() {
   std::array<double, window> weights;
   double sum = 0;
   for (std::uint32_t i = 0; i < window; ++i) {
-    const double d = static_cast<double>(i) - window / 2;
+    const int from_center = static_cast<int>(i) - static_cast<int>(window / 2);
+    const double d = from_center;
     sum += weights[i] = std::exp(-d * d / (2 * sigma * sigma));
   }
   for (double& w : weights) w /= sum;

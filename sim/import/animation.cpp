@@ -57,8 +57,8 @@ void Channel::sample(double time, double* out) const {
   for (std::size_t i = 0; i < width; ++i) {
     const double out_tangent = key(last)[width + i] * span;
     const double in_tangent = values[next * step + i] * span;
-    out[i] = (2 * s3 - 3 * s2 + 1) * key(last)[i] + (s3 - 2 * s2 + s) * out_tangent +
-             (3 * s2 - 2 * s3) * key(next)[i] + (s3 - s2) * in_tangent;
+    out[i] = (2 * s3 - 3 * s2 + 1) * key(last)[i] + (s3 - 2 * s2 + s) * out_tangent + (3 * s2 - 2 * s3) * key(next)[i] +
+             (s3 - s2) * in_tangent;
   }
   if (rotation) store_unit(quaternion(out), out);
 }

@@ -33,7 +33,8 @@ CameraPlace look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::
   return place_from(eye, eye - target, up);
 }
 
-traces::Camera make_camera(const CameraPlace& place, const CameraLens& lens, std::uint32_t width, std::uint32_t height) {
+traces::Camera make_camera(const CameraPlace& place, const CameraLens& lens, std::uint32_t width,
+                           std::uint32_t height) {
   const double half_y = lens.perspective ? std::tan(lens.fov / 2) : lens.half_height;
   const double half_x = half_y * width / height;
   const glm::dvec3 corner = place.y * half_y - place.x * half_x;
@@ -60,7 +61,8 @@ CameraPlace frame_box(const Box& box, double fov, std::uint32_t width, std::uint
   double distance = 0;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 p = glm::dvec3(corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
-                                    corner & 4 ? box.high.z : box.low.z) - center;
+                                    corner & 4 ? box.high.z : box.low.z) -
+                         center;
     const double x = std::abs(glm::dot(p, place.x)), y = std::abs(glm::dot(p, place.y)), z = glm::dot(p, place.z);
     distance = std::max({distance, z + x / tan_x, z + y / tan_y});
   }

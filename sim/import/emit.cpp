@@ -52,8 +52,9 @@ class Emitter {
   void vertex(const glm::dvec3& p, const glm::dvec3& n) {
     const double limit = traces::coordinate_limit;
     if (!(std::abs(p.x) < limit && std::abs(p.y) < limit && std::abs(p.z) < limit))
-      throw InputError(where_, "a vertex is not finite or too far away once it is in world space; check the "
-                               "transforms of the node and its parents");
+      throw InputError(where_,
+                       "a vertex is not finite or too far away once it is in world space; check the "
+                       "transforms of the node and its parents");
     out_.positions.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
     out_.normals.push_back(unit_or_zero(n));
   }

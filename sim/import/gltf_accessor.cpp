@@ -91,13 +91,13 @@ std::vector<T> GltfAccessors::read(const tinygltf::Accessor& a, Convert convert,
     const std::uint64_t declared = file_.json.bufferViews[static_cast<std::size_t>(a.bufferView)].byteStride;
     if (declared != 0) stride = declared;
     if (stride < element)
-      throw InputError(where, "byteStride " + number(stride) + " is less than an element's " + number(element) + " bytes");
-    if (a.byteOffset > bytes.size ||
-        (a.count > 0 && (element > bytes.size - a.byteOffset ||
-                         (a.count - 1) > (bytes.size - a.byteOffset - element) / stride)))
+      throw InputError(where,
+                       "byteStride " + number(stride) + " is less than an element's " + number(element) + " bytes");
+    if (a.byteOffset > bytes.size || (a.count > 0 && (element > bytes.size - a.byteOffset ||
+                                                      (a.count - 1) > (bytes.size - a.byteOffset - element) / stride)))
       throw InputError(where, number(a.count) + " elements of " + number(element) + " bytes at offset " +
-                                  number(a.byteOffset) + ", stride " + number(stride) +
-                                  ", leave the buffer view of " + number(bytes.size) + " bytes");
+                                  number(a.byteOffset) + ", stride " + number(stride) + ", leave the buffer view of " +
+                                  number(bytes.size) + " bytes");
     data = bytes.data + a.byteOffset;
   } else if (a.count > max_zeros) {
     throw InputError(where, number(a.count) + " elements without a buffer view; the limit is " + number(max_zeros));
@@ -161,8 +161,7 @@ std::vector<float> GltfAccessors::floats(int accessor, const char* allowed, cons
       a, [=](const unsigned char* p) { return static_cast<float>(to_number(p, type, normalized)); }, place);
   const auto width = static_cast<std::size_t>(components(accessor, where));
   for (std::size_t i = 0; i < out.size(); ++i) {
-    if (!std::isfinite(out[i]))
-      throw InputError(place, "element " + number(i / width) + " is not a finite number");
+    if (!std::isfinite(out[i])) throw InputError(place, "element " + number(i / width) + " is not a finite number");
   }
   return out;
 }

@@ -18,7 +18,8 @@ class GltfAccessors {
   int components(int accessor, const std::string& where) const;
 
   /// All elements as numbers, normalised integers as such, sparse ones patched in.  Refused: another number of
-  /// components than one of `allowed` (a character each: "34" is VEC3 or VEC4, "@" is MAT4), numbers that are not finite.
+  /// components than one of `allowed` (a character each: "34" is VEC3 or VEC4, "@" is MAT4), numbers that are not
+  /// finite.
   std::vector<float> floats(int accessor, const char* allowed, const std::string& where);
   /// Unsigned integers: vertex indices, joints.
   std::vector<std::uint32_t> integers(int accessor, const char* allowed, const std::string& where);

@@ -17,7 +17,8 @@ Interpolation parse_interpolation(const std::string& name, const std::string& wh
   if (name.empty() || name == "LINEAR") return Interpolation::linear;
   if (name == "STEP") return Interpolation::step;
   if (name == "CUBICSPLINE") return Interpolation::cubic;
-  throw InputError(where, "interpolation \"" + name.substr(0, 40) + "\" is not supported; LINEAR, STEP or CUBICSPLINE is");
+  throw InputError(where,
+                   "interpolation \"" + name.substr(0, 40) + "\" is not supported; LINEAR, STEP or CUBICSPLINE is");
 }
 
 void read_keys(const tinygltf::AnimationSampler& sampler, GltfAccessors& accessors, const std::string& where,
@@ -49,8 +50,7 @@ void import_gltf_clips(const GltfFile& file, GltfAccessors& accessors, const std
     clip.name = source.name;
     for (std::size_t c = 0; c < source.channels.size(); ++c) {
       const tinygltf::AnimationChannel& from = source.channels[c];
-      const std::string where =
-          file.at("animations[" + std::to_string(a) + "].channels[" + std::to_string(c) + "]");
+      const std::string where = file.at("animations[" + std::to_string(a) + "].channels[" + std::to_string(c) + "]");
       Channel channel;
       if (!parse_path(from.target_path, channel.path, channel.width)) {
         log.push_back(where + ": target path \"" + from.target_path.substr(0, 40) + "\" is ignored");

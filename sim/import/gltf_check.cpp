@@ -15,16 +15,29 @@ using Json = nlohmann::json;
 
 // What is read.
 const std::set<std::string> supported = {
-    "KHR_lights_punctual",     "KHR_materials_emissive_strength",     "KHR_materials_ior",
-    "KHR_materials_unlit",     "KHR_materials_pbrSpecularGlossiness", "KHR_materials_transmission",
-    "KHR_mesh_quantization",   "KHR_texture_transform",
+    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_unlit",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_transmission",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
 };
 
 // What changes only the fine look of a surface or nothing visible: left out with a log line even where required.
 const std::set<std::string> harmless = {
-    "KHR_materials_anisotropy", "KHR_materials_clearcoat", "KHR_materials_dispersion", "KHR_materials_iridescence",
-    "KHR_materials_sheen",      "KHR_materials_specular",  "KHR_materials_variants",   "KHR_materials_volume",
-    "KHR_materials_diffuse_transmission", "KHR_xmp_json_ld", "KHR_xmp",
+    "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",
+    "KHR_materials_dispersion",
+    "KHR_materials_iridescence",
+    "KHR_materials_sheen",
+    "KHR_materials_specular",
+    "KHR_materials_variants",
+    "KHR_materials_volume",
+    "KHR_materials_diffuse_transmission",
+    "KHR_xmp_json_ld",
+    "KHR_xmp",
 };
 
 std::uint32_t word(const std::vector<std::uint8_t>& file, std::size_t at) {
@@ -59,14 +72,16 @@ Json parse(const GltfText& text, const std::string& path) {
     const auto line = 1 + std::count(text.json, text.json + at, '\n');
     throw InputError(path + (text.binary ? "" : ":" + std::to_string(line)),
                      "not valid JSON at byte " + std::to_string(e.byte));
+  } catch (const Json::exception& e) {
+    throw InputError(path, std::string("not valid JSON: ") + e.what());  // a number that no binary64 can hold
   }
 }
 
 void check_types(const Json& root, const std::string& path) {
   if (!root.is_object()) throw InputError(path, "not a glTF file: the JSON is not an object");
-  const char* arrays[] = {"accessors", "animations", "bufferViews", "buffers", "cameras",  "extensionsRequired",
-                          "extensionsUsed", "images", "materials",  "meshes",  "nodes",    "samplers",
-                          "scenes",    "skins",      "textures"};
+  const char* arrays[] = {"accessors",      "animations", "bufferViews", "buffers", "cameras", "extensionsRequired",
+                          "extensionsUsed", "images",     "materials",   "meshes",  "nodes",   "samplers",
+                          "scenes",         "skins",      "textures"};
   for (const char* name : arrays) {
     if (!root.contains(name)) continue;
     if (!root[name].is_array()) throw InputError(path, std::string(name) + " is not an array");
@@ -74,8 +89,8 @@ void check_types(const Json& root, const std::string& path) {
     std::size_t i = 0;
     for (const Json& item : root[name]) {
       if (!(strings ? item.is_string() : item.is_object()))
-        throw InputError(path, std::string(name) + "[" + std::to_string(i) + "] is not " +
-                                   (strings ? "a string" : "an object"));
+        throw InputError(
+            path, std::string(name) + "[" + std::to_string(i) + "] is not " + (strings ? "a string" : "an object"));
       ++i;
     }
   }
@@ -131,14 +146,17 @@ GltfText find_gltf_text(const std::vector<std::uint8_t>& file, const std::string
     return {reinterpret_cast<const char*>(file.data()), file.size(), false};
   if (file.size() < 20)
     throw InputError(path, "truncated .glb: " + std::to_string(file.size()) + " bytes, its header alone has 20");
-  if (word(file, 4) != 2) throw InputError(path, "is .glb version " + std::to_string(word(file, 4)) + "; 2 can be read");
+  if (word(file, 4) != 2)
+    throw InputError(path, "is .glb version " + std::to_string(word(file, 4)) + "; 2 can be read");
   const std::uint64_t length = word(file, 8);
   if (length > file.size())
-    throw InputError(path, "truncated .glb: " + std::to_string(file.size()) + " of " + std::to_string(length) + " bytes");
+    throw InputError(path,
+                     "truncated .glb: " + std::to_string(file.size()) + " of " + std::to_string(length) + " bytes");
   std::uint64_t at = 12;
   GltfText text{nullptr, 0, true};
   for (int chunk = 0; at < length; ++chunk) {
-    if (at + 8 > length) throw InputError(path, "broken .glb: no room for the header of chunk " + std::to_string(chunk));
+    if (at + 8 > length)
+      throw InputError(path, "broken .glb: no room for the header of chunk " + std::to_string(chunk));
     const std::uint64_t size = word(file, at);
     if (at + 8 + size > length)
       throw InputError(path, "broken .glb: chunk " + std::to_string(chunk) + " has " + std::to_string(size) +

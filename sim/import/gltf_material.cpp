@@ -1,17 +1,14 @@
 // Materials and textures of a glTF file.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "sim/import/gltf_import.h"
-#include "sim/import/image.h"
+#include "sim/import/gltf_texture.h"
 #include "sim/import/surface.h"
 #include "traces/error.h"
 
 namespace artu::sim {
 namespace {
-
-constexpr std::uint64_t max_texture_bytes = std::uint64_t{1} << 30;
 
 using tinygltf::Value;
 
@@ -27,6 +24,11 @@ double element_or(const Value& object, const char* key, int i, double otherwise)
   return v.IsNumber() && std::isfinite(v.GetNumberAsDouble()) ? v.GetNumberAsDouble() : otherwise;
 }
 
+int integer_or(const Value& object, const char* key, int otherwise) {
+  const double v = number_or(object, key, otherwise);
+  return std::abs(v) < 1e9 ? static_cast<int>(v) : otherwise;
+}
+
 double share(double v) { return v >= 0 ? std::min(v, 1.0) : 0.0; }
 glm::dvec3 positive(const glm::dvec3& v) { return glm::clamp(v, 0.0, 1e6); }
 
@@ -34,91 +36,6 @@ glm::dvec3 positive(const glm::dvec3& v) { return glm::clamp(v, 0.0, 1e6); }
 struct TextureRef {
   int index = -1, set = 0;
   Value transform;
-};
-
-/// Decodes each image at most once and makes a Model texture of each (image, wrap) pair that is used.
-class TextureReader {
- public:
-  TextureReader(const GltfFile& file, GltfAccessors& accessors, Model& model, std::vector<std::string>& log)
-      : file_(file), accessors_(accessors), model_(model), log_(log) {}
-
-  const Image* image(int texture, const std::string& where) {
-    const int source = image_of(texture, where);
-    if (source < 0) return nullptr;
-    auto& slot = images_[source];
-    if (!slot) {
-      slot = decode(static_cast<std::size_t>(source));
-      bytes_ += slot->rgba.size();
-      if (bytes_ > max_texture_bytes) throw InputError(where, "the file's images are over 1 GiB when decoded");
-    }
-    return &*slot;
-  }
-
-  /// Index into Model::textures, or -1.
-  int texture(int index, const std::string& where) {
-    const Image* pixels = image(index, where);
-    if (!pixels) return -1;
-    const int sampler = file_.json.textures[static_cast<std::size_t>(index)].sampler;
-    traces::Texture texture;
-    if (sampler >= 0 && static_cast<std::size_t>(sampler) < file_.json.samplers.size()) {
-      texture.wrap_u = wrap(file_.json.samplers[static_cast<std::size_t>(sampler)].wrapS);
-      texture.wrap_v = wrap(file_.json.samplers[static_cast<std::size_t>(sampler)].wrapT);
-    }
-    const int source = image_of(index, where);
-    const std::string key = std::to_string(source) + "/" + std::to_string(static_cast<int>(texture.wrap_u)) +
-                            std::to_string(static_cast<int>(texture.wrap_v));
-    const auto known = textures_.find(key);
-    if (known != textures_.end()) return known->second;
-    const tinygltf::Image& named = file_.json.images[static_cast<std::size_t>(source)];
-    texture.name = !named.name.empty() ? named.name : "image " + std::to_string(source);
-    texture.width = pixels->width;
-    texture.height = pixels->height;
-    texture.rgba = pixels->rgba;
-    const int made = static_cast<int>(model_.textures.size());
-    model_.textures.push_back(std::move(texture));
-    return textures_[key] = made;
-  }
-
- private:
-  static traces::Wrap wrap(int mode) {
-    if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return traces::Wrap::clamp;
-    return mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? traces::Wrap::mirror : traces::Wrap::repeat;
-  }
-
-  int image_of(int texture, const std::string& where) {
-    if (texture < 0) return -1;
-    if (static_cast<std::size_t>(texture) >= file_.json.textures.size())
-      throw InputError(where, "texture " + std::to_string(texture) + " does not exist; there are " +
-                                  std::to_string(file_.json.textures.size()));
-    const int source = file_.json.textures[static_cast<std::size_t>(texture)].source;
-    if (source < 0) {
-      log_.push_back(where + ": texture " + std::to_string(texture) + " has no PNG or JPEG image and is left out");
-      return -1;
-    }
-    if (static_cast<std::size_t>(source) >= file_.json.images.size())
-      throw InputError(where, "image " + std::to_string(source) + " does not exist; there are " +
-                                  std::to_string(file_.json.images.size()));
-    return source;
-  }
-
-  Image decode(std::size_t index) {
-    const tinygltf::Image& source = file_.json.images[index];
-    const std::string where = file_.at("images[" + std::to_string(index) + "]");
-    if (source.bufferView >= 0) {
-      const GltfAccessors::Bytes bytes = accessors_.view(source.bufferView, where);
-      return decode_image(bytes.data, bytes.size, where);
-    }
-    const auto& bytes = file_.image_bytes[index];
-    return decode_image(bytes.data(), bytes.size(), source.uri.empty() ? where : where + " (" + source.uri.substr(0, 200) + ")");
-  }
-
-  const GltfFile& file_;
-  GltfAccessors& accessors_;
-  Model& model_;
-  std::vector<std::string>& log_;
-  std::map<int, std::optional<Image>> images_;
-  std::map<std::string, int> textures_;
-  std::uint64_t bytes_ = 0;
 };
 
 TextureRef ref(const tinygltf::TextureInfo& info) {
@@ -130,15 +47,16 @@ TextureRef ref(const Value& object, const char* key) {
   if (!object.Has(key) || !object.Get(key).IsObject()) return {};
   const Value& info = object.Get(key);
   TextureRef out;
-  out.index = static_cast<int>(number_or(info, "index", -1));
-  out.set = static_cast<int>(number_or(info, "texCoord", 0));
-  if (info.Has("extensions")) out.transform = info.Get("extensions").Get("KHR_texture_transform");
+  out.index = integer_or(info, "index", -1);
+  out.set = integer_or(info, "texCoord", 0);
+  if (info.Has("extensions") && info.Get("extensions").IsObject())
+    out.transform = info.Get("extensions").Get("KHR_texture_transform");
   return out;
 }
 
 class MaterialReader {
  public:
-  MaterialReader(const GltfFile& file, TextureReader& textures) : file_(file), textures_(textures) {}
+  MaterialReader(const GltfFile& file, GltfTextures& textures) : file_(file), textures_(textures) {}
 
   /// What was simplified: one line a kind, however many materials it met.
   void report(std::vector<std::string>& log) const {
@@ -151,7 +69,8 @@ class MaterialReader {
 
   void read(std::size_t index, traces::Material& out, GltfTexcoords& texcoords) {
     const tinygltf::Material& source = file_.json.materials[index];
-    where_ = file_.at("materials[" + std::to_string(index) + "]" + (source.name.empty() ? "" : " \"" + source.name + "\""));
+    where_ =
+        file_.at("materials[" + std::to_string(index) + "]" + (source.name.empty() ? "" : " \"" + source.name + "\""));
     index_ = index;
     out.name = source.name.empty() ? "material " + std::to_string(index) : source.name;
     Surface surface;
@@ -264,7 +183,7 @@ class MaterialReader {
       out.scale[i] = element_or(t, "scale", i, 1);
     }
     out.rotation = number_or(t, "rotation", 0);
-    out.set = static_cast<int>(number_or(t, "texCoord", out.set));
+    out.set = integer_or(t, "texCoord", out.set);
   }
 
   void read_emission(const tinygltf::Material& m, traces::Material& out) {
@@ -296,7 +215,7 @@ class MaterialReader {
   }
 
   const GltfFile& file_;
-  TextureReader& textures_;
+  GltfTextures& textures_;
   std::string where_;
   std::size_t index_ = 0;
   std::map<std::string, std::vector<std::size_t>> notes_;
@@ -306,7 +225,7 @@ class MaterialReader {
 
 std::vector<GltfTexcoords> import_gltf_materials(const GltfFile& file, GltfAccessors& accessors, Model& model,
                                                  std::vector<std::string>& log) {
-  TextureReader textures(file, accessors, model, log);
+  GltfTextures textures(file, accessors, model, log);
   MaterialReader reader(file, textures);
   std::vector<GltfTexcoords> texcoords(file.json.materials.size() + 1);
   model.materials.resize(file.json.materials.size() + 1);

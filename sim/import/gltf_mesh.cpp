@@ -70,7 +70,8 @@ class PrimitiveReader {
       const double u = v[2 * i] * t.scale[0], w = v[2 * i + 1] * t.scale[1];
       g.uvs[i] = {static_cast<float>(c * u + s * w + t.offset[0]), static_cast<float>(-s * u + c * w + t.offset[1])};
       if (!(std::abs(g.uvs[i].x) <= 1048576.0f && std::abs(g.uvs[i].y) <= 1048576.0f))
-        throw InputError(at(name), "element " + std::to_string(i) + " is over 2^20; texture coordinates are near 0 ... 1");
+        throw InputError(at(name),
+                         "element " + std::to_string(i) + " is over 2^20; texture coordinates are near 0 ... 1");
     }
   }
 
@@ -111,7 +112,8 @@ class PrimitiveReader {
         g.indices.insert(g.indices.end(), {a, b, c});
       }
     } else {
-      if (n % 3 != 0) log_.push_back(where_ + ": " + std::to_string(n % 3) + " corners after the last whole triangle are ignored");
+      if (n % 3 != 0)
+        log_.push_back(where_ + ": " + std::to_string(n % 3) + " corners after the last whole triangle are ignored");
       corners.resize(n - n % 3);
       g.indices = std::move(corners);
     }
@@ -200,7 +202,8 @@ void import_gltf_meshes(const GltfFile& file, GltfAccessors& accessors, const st
       const tinygltf::Primitive& primitive = source.primitives[p];
       const std::string where = file.at("meshes[" + std::to_string(m) + "].primitives[" + std::to_string(p) + "]");
       const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-      if (mode > TINYGLTF_MODE_TRIANGLE_FAN) throw InputError(where, "mode " + std::to_string(mode) + "; 0 ... 6 is allowed");
+      if (mode > TINYGLTF_MODE_TRIANGLE_FAN)
+        throw InputError(where, "mode " + std::to_string(mode) + "; 0 ... 6 is allowed");
       if (mode < TINYGLTF_MODE_TRIANGLES) {
         log.push_back(where + ": points and lines are skipped, the unit has triangles only");
         continue;

@@ -43,7 +43,8 @@ Node convert(const GltfFile& file, std::size_t index, const Model& model) {
     node.has_matrix = true;
     for (int i = 0; i < 16; ++i) node.matrix[i / 4][i % 4] = source.matrix[static_cast<std::size_t>(i)];
   }
-  if (!source.translation.empty()) node.local.translation = {source.translation[0], source.translation[1], source.translation[2]};
+  if (!source.translation.empty())
+    node.local.translation = {source.translation[0], source.translation[1], source.translation[2]};
   if (!source.scale.empty()) node.local.scale = {source.scale[0], source.scale[1], source.scale[2]};
   if (!source.rotation.empty()) {
     const auto& q = source.rotation;
@@ -62,7 +63,9 @@ Node convert(const GltfFile& file, std::size_t index, const Model& model) {
   }
   const auto light = source.extensions.find("KHR_lights_punctual");
   if (light != source.extensions.end() && light->second.Has("light")) {
-    node.light = light->second.Get("light").GetNumberAsInt();
+    const tinygltf::Value& index = light->second.Get("light");
+    if (!index.IsInt()) throw InputError(where, "light is not a whole number");
+    node.light = index.GetNumberAsInt();
     check_index(node.light, file.json.lights.size(), "light", where);
   }
   return node;
@@ -161,9 +164,9 @@ void import_gltf_skins(const GltfFile& file, GltfAccessors& accessors, const std
     for (const Primitive& p : model.shapes[static_cast<std::size_t>(node.shape)].primitives) {
       for (const std::uint16_t joint : p.geometry->joints) {
         if (joint >= joints)
-          throw InputError(file.at("node \"" + node.name + "\""),
-                           "a vertex uses joint " + std::to_string(joint) + " of a skin with " +
-                               std::to_string(joints) + " joints");
+          throw InputError(
+              file.at("node \"" + node.name + "\""),
+              "a vertex uses joint " + std::to_string(joint) + " of a skin with " + std::to_string(joints) + " joints");
       }
     }
   }
@@ -197,12 +200,14 @@ void import_gltf_cameras_and_lights(const GltfFile& file, Model& model, std::vec
     if (source.color.size() >= 3) light.color = {source.color[0], source.color[1], source.color[2]};
     light.color *= source.intensity;
     for (int i = 0; i < 3; ++i) {
-      if (!(light.color[i] >= 0 && light.color[i] < 1e30)) throw InputError(where, "color times intensity must be 0 or more");
+      if (!(light.color[i] >= 0 && light.color[i] < 1e30))
+        throw InputError(where, "color times intensity must be 0 or more");
     }
     light.range = source.range > 0 ? source.range : 0;
     light.inner = source.spot.innerConeAngle;
     light.outer = source.spot.outerConeAngle;
-    if (light.kind == traces::LightKind::spot && !(light.inner >= 0 && light.inner <= light.outer && light.outer <= 1.5708))
+    if (light.kind == traces::LightKind::spot &&
+        !(light.inner >= 0 && light.inner <= light.outer && light.outer <= 1.5708))
       log.push_back(where + ": cone angles are not 0 <= inner <= outer <= pi/2; they are clamped");
     light.outer = std::clamp(light.outer, 1e-3, 1.5707963);
     light.inner = std::clamp(light.inner, 0.0, light.outer);

@@ -12,7 +12,6 @@
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_NO_STDIO
-#define STBI_MAX_DIMENSIONS 16384
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -57,12 +56,8 @@ Image decode_image(const std::uint8_t* bytes, std::size_t size, const std::strin
     throw InputError(where, "image file is over 2 GiB");
   const int length = static_cast<int>(size);
   int width = 0, height = 0, channels = 0;
-  if (!stbi_info_from_memory(bytes, length, &width, &height, &channels)) {
-    const std::string reason = stbi_failure_reason() ? stbi_failure_reason() : "";
-    if (reason == "too large")
-      throw InputError(where, "image is over " + std::to_string(max_side) + " pixels wide or high");
+  if (!stbi_info_from_memory(bytes, length, &width, &height, &channels))
     throw InputError(where, "is neither a PNG nor a JPEG image that can be read");
-  }
   // Checked before anything is allocated: the header alone decides how much memory decoding takes.
   if (width < 1 || height < 1 || width > max_side || height > max_side)
     throw InputError(where, "image is " + std::to_string(width) + " x " + std::to_string(height) +

@@ -61,7 +61,8 @@ struct SceneSource::Impl {
     traces::Mesh mesh;
     const Model& model = loaded.model;
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
-      if (model.nodes[n].shape < 0 || !model.nodes[n].visible || static_cast<bool>(dynamic[n]) != want_dynamic) continue;
+      if (model.nodes[n].shape < 0 || !model.nodes[n].visible || static_cast<bool>(dynamic[n]) != want_dynamic)
+        continue;
       emit_node(model, pose, static_cast<int>(n), path, mesh);
     }
     return mesh;
@@ -111,8 +112,9 @@ struct SceneSource::Impl {
       log.push_back(path + ": has no camera; one is placed that sees all of it");
     }
     exposure = light_exposure(model, pose, rest);
-    if (exposure != 1) log.push_back(path + ": its lights are scaled by " + std::to_string(exposure) +
-                                     " so that the brightest gives an irradiance of 1 at the scene's centre");
+    if (exposure != 1)
+      log.push_back(path + ": its lights are scaled by " + std::to_string(exposure) +
+                    " so that the brightest gives an irradiance of 1 at the scene's centre");
     surroundings = default_surroundings(place, lit);
     if (!lit) log.push_back(path + ": has no light; a key light, a fill light and a sky are added");
     if (loaded.sky) {
@@ -168,7 +170,8 @@ struct SceneSource::Impl {
     const std::size_t lamps = static_cast<std::size_t>(
         std::count_if(model.nodes.begin(), model.nodes.end(), [](const Node& n) { return n.light >= 0 && n.visible; }));
     if (lamps + loaded.lights.size() > max_lights)
-      log.push_back(path + ": has " + std::to_string(lamps + loaded.lights.size()) + " lights; only the first 64 are used");
+      log.push_back(path + ": has " + std::to_string(lamps + loaded.lights.size()) +
+                    " lights; only the first 64 are used");
     if (scene.static_geometry.triangle_count() + moving.triangle_count() == 0)
       log.push_back(path + ": has no triangles");
     traces::validate(scene, path);

@@ -14,9 +14,9 @@
 namespace artu::sim {
 
 struct ImportOptions {
-  std::uint32_t width = 640, height = 360;         // pixels
-  std::uint32_t first_frame = 0, last_frame = 0;   // frames first ... last - 1; last == 0: first alone
-  double fps = 30;                                 // frames per second of animation time
+  std::uint32_t width = 640, height = 360;        // pixels
+  std::uint32_t first_frame = 0, last_frame = 0;  // frames first ... last - 1; last == 0: first alone
+  double fps = 30;                                // frames per second of animation time
 };
 
 /// A scene that has been loaded and can be posed at any frame.  Files: .glb, .gltf, .obj, .stage.toml.

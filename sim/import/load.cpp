@@ -30,10 +30,14 @@ void play_default_clips(Model& model, const std::string& path, std::vector<std::
     model.players.push_back({clip});
   }
   if (model.clips.size() < 2 || model.players.empty()) return;
+  // They start again together, or clips of one animation would drift apart.
+  double longest = 0;
+  for (const Player& player : model.players) longest = std::max(longest, player.clip.length);
+  for (Player& player : model.players) player.clip.length = longest;
   const std::string all = std::to_string(model.clips.size());
   if (model.players.size() == 1) {
-    log.push_back(path + ": has " + all + " clips; the first, \"" + model.players.front().clip.name +
-                  "\", plays" + choice_note);
+    log.push_back(path + ": has " + all + " clips; the first, \"" + model.players.front().clip.name + "\", plays" +
+                  choice_note);
   } else {
     log.push_back(path + ": has " + all + " clips; " + std::to_string(model.players.size()) +
                   " that move different nodes play together" + choice_note);
@@ -79,8 +83,8 @@ CameraPlace CameraTrack::at(double time) const {
   };
   const auto value = [&](const std::vector<glm::dvec3>& v) {
     const double s2 = s * s, s3 = s2 * s;
-    return (2 * s3 - 3 * s2 + 1) * v[last] + (s3 - 2 * s2 + s) * span * slope(v, last) +
-           (3 * s2 - 2 * s3) * v[next] + (s3 - s2) * span * slope(v, next);
+    return (2 * s3 - 3 * s2 + 1) * v[last] + (s3 - 2 * s2 + s) * span * slope(v, last) + (3 * s2 - 2 * s3) * v[next] +
+           (s3 - s2) * span * slope(v, next);
   };
   return look_at(value(positions), value(targets), up);
 }

@@ -27,11 +27,11 @@ struct Sky {
 
 struct LoadedScene {
   Model model;
-  std::optional<CameraTrack> camera;   // before any camera of a file
-  int camera_node = -1;                // a node of the model that the stage chose
-  std::vector<traces::Light> lights;   // of the stage, as bright as they say
+  std::optional<CameraTrack> camera;  // before any camera of a file
+  int camera_node = -1;               // a node of the model that the stage chose
+  std::vector<traces::Light> lights;  // of the stage, as bright as they say
   std::optional<Sky> sky;
-  double duration = 0;                 // seconds; 0: as long as the longest player
+  double duration = 0;  // seconds; 0: as long as the longest player
 };
 
 /// By the file's ending.  Throws InputError.

@@ -67,8 +67,8 @@ struct CameraLens {
 /// A light of a file, in its node's space (it shines along -z), in the file's unit of intensity.
 struct NodeLight {
   traces::LightKind kind = traces::LightKind::point;
-  glm::dvec3 color{1.0};  // times intensity
-  double range = 0;       // 0: unlimited
+  glm::dvec3 color{1.0};                        // times intensity
+  double range = 0;                             // 0: unlimited
   double inner = 0, outer = 0.785398163397448;  // spot: half angles, radians
 };
 
@@ -102,8 +102,8 @@ struct Model {
   std::vector<NodeLight> lights;
   std::vector<traces::Material> materials;
   std::vector<traces::Texture> textures;
-  std::vector<Clip> clips;       // what a file offers
-  std::vector<Player> players;   // what plays; where two move the same node the later one wins
+  std::vector<Clip> clips;      // what a file offers
+  std::vector<Player> players;  // what plays; where two move the same node the later one wins
 };
 
 }  // namespace artu::sim

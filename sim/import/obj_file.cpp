@@ -92,7 +92,8 @@ traces::Material convert(const tinyobj::material_t& m, ObjTextures& textures, co
   const double opaque = std::clamp(static_cast<double>(m.dissolve), 0.0, 1.0);
   const bool glass = m.illum == 4 || m.illum == 6 || m.illum == 7 || m.illum == 9;
   double through = 1 - opaque;
-  if (glass && through == 0) through = std::min(std::max({m.transmittance[0], m.transmittance[1], m.transmittance[2]}), tinyobj::real_t(1));
+  if (glass && through == 0)
+    through = std::min(std::max({m.transmittance[0], m.transmittance[1], m.transmittance[2]}), tinyobj::real_t(1));
   const double ior = m.ior >= 0.25 && m.ior <= 4 ? static_cast<double>(m.ior) : 1.0;
   out.diffuse = to_vec3(diffuse * (1 - through));
   if (through > 0) {
@@ -160,7 +161,8 @@ void check_finite(const std::vector<tinyobj::real_t>& v, std::size_t width, doub
                   const std::string& path) {
   for (std::size_t i = 0; i < v.size(); ++i) {
     if (!(std::abs(v[i]) < limit))
-      throw InputError(path, std::string(what) + " " + std::to_string(i / width + 1) + " is not a finite number or too large");
+      throw InputError(
+          path, std::string(what) + " " + std::to_string(i / width + 1) + " is not a finite number or too large");
   }
 }
 

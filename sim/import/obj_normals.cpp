@@ -11,11 +11,13 @@ constexpr std::size_t max_fan = 256;
 
 }  // namespace
 
-std::vector<glm::vec3> crease_normals(const std::vector<glm::vec3>& positions, const std::vector<std::uint32_t>& indices) {
+std::vector<glm::vec3> crease_normals(const std::vector<glm::vec3>& positions,
+                                      const std::vector<std::uint32_t>& indices) {
   const std::size_t faces = indices.size() / 3;
   std::vector<glm::dvec3> area(faces), unit(faces);
   for (std::size_t f = 0; f < faces; ++f) {
-    const glm::dvec3 a = positions[indices[3 * f]], b = positions[indices[3 * f + 1]], c = positions[indices[3 * f + 2]];
+    const glm::dvec3 a = positions[indices[3 * f]], b = positions[indices[3 * f + 1]],
+                     c = positions[indices[3 * f + 2]];
     area[f] = glm::cross(b - a, c - a);
     const double length = glm::length(area[f]);
     unit[f] = length > 0 ? area[f] / length : glm::dvec3(0.0);

@@ -17,15 +17,15 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> root_keys = {"file", "camera", "light", "sky", "duration"};
-const std::vector<std::string> file_keys = {"path",  "name", "position", "rotation", "scale",       "clip", "speed",
-                                            "start", "loop", "static",   "dynamic",  "motion_loop", "key",  "node",
-                                            "material"};
+const std::vector<std::string> file_keys = {"path",    "name",        "position", "rotation", "scale",
+                                            "clip",    "speed",       "start",    "loop",     "static",
+                                            "dynamic", "motion_loop", "key",      "node",     "material"};
 const std::vector<std::string> node_keys = {"name", "position", "rotation", "scale", "motion_loop", "key"};
-const std::vector<std::string> material_keys = {"name",  "diffuse",      "specular", "specular_log2", "mirror",
-                                                "transmission", "ior", "emission", "tint", "texture"};
+const std::vector<std::string> material_keys = {"name",         "diffuse", "specular", "specular_log2", "mirror",
+                                                "transmission", "ior",     "emission", "tint",          "texture"};
 const std::vector<std::string> camera_keys = {"fov", "position", "target", "up", "node", "loop", "key"};
-const std::vector<std::string> light_keys = {"kind", "position", "direction", "color", "intensity",
-                                             "range", "inner", "outer"};
+const std::vector<std::string> light_keys = {"kind",      "position", "direction", "color",
+                                             "intensity", "range",    "inner",     "outer"};
 
 class StageReader {
  public:
@@ -61,7 +61,8 @@ class StageReader {
     if (candidates.empty()) throw InputError(file.where(), "[[file]]: path is missing");
     std::string tried;
     for (const std::string& candidate : candidates) {
-      const fs::path full = fs::path(candidate).is_absolute() ? fs::path(candidate) : fs::path(folder_of(path_)) / candidate;
+      const fs::path full =
+          fs::path(candidate).is_absolute() ? fs::path(candidate) : fs::path(folder_of(path_)) / candidate;
       std::error_code error;
       if (fs::is_regular_file(full, error)) return full.string();
       tried += (tried.empty() ? "" : ", ") + full.string();
@@ -70,7 +71,8 @@ class StageReader {
   }
 
   const Model& model_of(const std::string& path, const StageTable& file) {
-    if (path.size() > 5 && path.substr(path.size() - 5) == ".toml") file.fail("path", "is a stage; a stage cannot hold another");
+    if (path.size() > 5 && path.substr(path.size() - 5) == ".toml")
+      file.fail("path", "is a stage; a stage cannot hold another");
     const auto known = models_.find(path);
     if (known != models_.end()) return known->second;
     std::vector<std::string> log;
@@ -110,7 +112,8 @@ class StageReader {
     for (const char* key : {"static", "dynamic"}) {
       const auto motion = key[0] == 's' ? MotionOverride::force_static : MotionOverride::force_dynamic;
       for (const std::string& name : file.texts(key))
-        scene_.model.nodes[static_cast<std::size_t>(name == "*" ? added.root : find_node(file, key, name))].motion = motion;
+        scene_.model.nodes[static_cast<std::size_t>(name == "*" ? added.root : find_node(file, key, name))].motion =
+            motion;
     }
     for (const StageTable& material : file.tables("material", material_keys)) read_material(material, added.materials);
   }
@@ -217,7 +220,8 @@ class StageReader {
     for (const StageTable& key : keys) {
       if (!key.has("time")) throw InputError(key.where(), "[[camera.key]]: time (seconds) is missing");
       const double time = key.number("time", 0, 0, 1e9);
-      if (!track.times.empty() && time <= track.times.back()) key.fail("time", "must be later than that of the key before");
+      if (!track.times.empty() && time <= track.times.back())
+        key.fail("time", "must be later than that of the key before");
       track.times.push_back(time);
       track.positions.push_back(position = key.vector("position", position));
       track.targets.push_back(target = key.vector("target", target));
@@ -251,7 +255,8 @@ class StageReader {
     const double outer = table.number("outer", 45, 0.1, 180), inner = table.number("inner", 0, 0, 179);
     if (inner > outer) table.fail("inner", "is over outer; inner is the angle of full light, outer that of none");
     light.cos_inner = static_cast<float>(std::cos(glm::radians(inner)));
-    light.cos_outer = static_cast<float>(std::max(-1.0, std::min(std::cos(glm::radians(outer)), light.cos_inner - 1e-4)));
+    light.cos_outer =
+        static_cast<float>(std::max(-1.0, std::min(std::cos(glm::radians(outer)), light.cos_inner - 1e-4)));
     scene_.lights.push_back(light);
   }
 
@@ -260,9 +265,9 @@ class StageReader {
   toml::table toml_;
   StageTable root_;
   LoadedScene scene_;
-  std::map<std::string, Model> models_;        // by path: a file is read once
-  std::map<std::string, int> texture_base_;    // by path
-  std::map<std::string, int> nodes_;           // of the file at hand, by name; the first of equal names
+  std::map<std::string, Model> models_;      // by path: a file is read once
+  std::map<std::string, int> texture_base_;  // by path
+  std::map<std::string, int> nodes_;         // of the file at hand, by name; the first of equal names
   std::map<std::string, int> all_nodes_;
 };
 

@@ -29,8 +29,7 @@ void map_surface(const Surface& s, traces::Material& out) {
   const double peak = (std::exp2(out.specular_log2) + 8) / 8;
   // A rough metal scatters: without a diffuse part it would be black where no highlight is.
   const glm::dvec3 diffuse = s.base * (dielectric * (1 - s.transmission) + metal * rough);
-  const glm::dvec3 specular =
-      dielectric * glm::min(s.f0 * peak, glm::dvec3(1.0)) + s.base * (metal * (1 - rough));
+  const glm::dvec3 specular = dielectric * glm::min(s.f0 * peak, glm::dvec3(1.0)) + s.base * (metal * (1 - rough));
   // Refraction brings its own Fresnel reflection, so that only what bends nothing needs a mirror weight for it.
   const double plain = s.transmission > 0 && s.ior != 1 ? 1 - s.transmission : 1;
   glm::dvec3 mirror = s.base * (metal * smooth) + s.f0 * (dielectric * plain * smooth);

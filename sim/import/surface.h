@@ -9,12 +9,12 @@ namespace artu::sim {
 
 /// What both glTF material models, and OBJ's, come down to before the mapping.
 struct Surface {
-  glm::dvec3 base{1.0};      // linear
-  double metallic = 0;       // 0 ... 1
-  double roughness = 1;      // 0 ... 1
-  double transmission = 0;   // 0 ... 1: share of the light that enters instead of being scattered
-  double ior = 1.5;          // of the inside; 1 does not bend
-  glm::dvec3 f0{0.04};       // reflectance of the dielectric at normal incidence
+  glm::dvec3 base{1.0};     // linear
+  double metallic = 0;      // 0 ... 1
+  double roughness = 1;     // 0 ... 1
+  double transmission = 0;  // 0 ... 1: share of the light that enters instead of being scattered
+  double ior = 1.5;         // of the inside; 1 does not bend
+  glm::dvec3 f0{0.04};      // reflectance of the dielectric at normal incidence
 };
 
 /// Fills the weights of `out` (not its name, texture or emission); docs/scenes.md has the table.

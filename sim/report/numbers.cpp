@@ -51,15 +51,23 @@ struct HitRate {
   std::uint64_t hits = 0, misses = 0;
 };
 
+std::string kind_of(const std::string& block) { return block.substr(block.rfind('.') + 1); }
+
 std::vector<HitRate> hit_rates(const hw::Statistics& statistics) {
   std::vector<HitRate> rates;
   for (const hw::Statistic& s : statistics) {
     if (s.name != "hits" && s.name != "misses") continue;
-    const std::string kind = s.block.substr(s.block.rfind('.') + 1);
+    const std::string kind = kind_of(s.block);
     auto rate = std::find_if(rates.begin(), rates.end(), [&](const HitRate& r) { return r.kind == kind; });
     if (rate == rates.end()) rate = rates.insert(rates.end(), {kind});
     (s.name == "hits" ? rate->hits : rate->misses) += s.value;
   }
+  // A block that only counts hits is no cache.
+  const auto no_cache = [&](const HitRate& rate) {
+    return std::none_of(statistics.begin(), statistics.end(),
+                        [&](const hw::Statistic& s) { return s.name == "misses" && kind_of(s.block) == rate.kind; });
+  };
+  rates.erase(std::remove_if(rates.begin(), rates.end(), no_cache), rates.end());
   return rates;
 }
 

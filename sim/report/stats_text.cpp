@@ -43,7 +43,8 @@ std::string format_stats(const Totals& sum, std::uint32_t clock_mhz, double gold
   out += "\n# Where do the cycles go: all frames together, \"core\" is the mean of the cores\n";
   out += format_cycle_table(sum.statistics);
   out += "\n# All numbers, summed over the frames: name value unit # text\n";
-  std::size_t name = 0, value = 0, unit = 0;
+  // No real is wider than 12, so that wall times do not move the columns of a run that is repeated.
+  std::size_t name = 0, value = 12, unit = 0;
   for (const Number& n : numbers) {
     name = std::max(name, n.name.size());
     value = std::max(value, value_text(n).size());

@@ -1,0 +1,94 @@
+#include "end_to_end/program.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace artu::test {
+namespace fs = std::filesystem;
+namespace {
+
+std::string read_all(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+void redirect(int to, const std::string& file) {
+  const int from = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  if (from < 0 || dup2(from, to) < 0) _exit(127);
+}
+
+}  // namespace
+
+ProgramTest::ProgramTest() {
+  std::string name = (fs::path(::testing::TempDir()) / "artu_XXXXXX").string();
+  if (!mkdtemp(name.data())) throw std::runtime_error("no folder for the test");
+  folder_ = name;
+}
+
+ProgramTest::~ProgramTest() { fs::remove_all(folder_); }
+
+Finished ProgramTest::artu(const std::vector<std::string>& args) const {
+  const std::string out = folder_.string() + ".out", err = folder_.string() + ".err";
+  std::vector<char*> argv{const_cast<char*>(ARTU_BINARY)};
+  for (const std::string& arg : args) argv.push_back(const_cast<char*>(arg.c_str()));
+  argv.push_back(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    redirect(STDOUT_FILENO, out);
+    redirect(STDERR_FILENO, err);
+    if (chdir(folder_.c_str()) != 0) _exit(127);
+    execv(ARTU_BINARY, argv.data());
+    _exit(127);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  Finished finished{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_all(out), read_all(err)};
+  fs::remove(out);
+  fs::remove(err);
+  return finished;
+}
+
+Finished ProgramTest::fine(const std::vector<std::string>& args) const {
+  Finished finished = artu(args);
+  EXPECT_EQ(finished.code, 0) << finished.out << finished.err;
+  return finished;
+}
+
+std::string ProgramTest::refused(const std::vector<std::string>& args) const {
+  const Finished finished = artu(args);
+  EXPECT_EQ(finished.code, 2) << finished.out << finished.err;
+  EXPECT_EQ(finished.out, "");
+  EXPECT_EQ(finished.err.compare(0, 7, "error: "), 0) << finished.err;
+  EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
+  return finished.err;
+}
+
+void ProgramTest::write(const std::string& name, const std::string& text) const {
+  std::ofstream(folder_ / name, std::ios::binary) << text;
+}
+
+std::string ProgramTest::read(const std::string& name) const {
+  EXPECT_TRUE(exists(name)) << name;
+  return read_all(folder_ / name);
+}
+
+std::vector<std::string> ProgramTest::content(const std::string& name) const {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder_ / name)) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void ProgramTest::write_scene(const std::string& name) const {
+  write(name,
+        "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv 0 1 0\n"
+        "f 1 2 3\nf 1 3 4\nf 1 2 5\n");
+}
+
+}  // namespace artu::test

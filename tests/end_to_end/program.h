@@ -1,0 +1,44 @@
+// The real program as a subprocess, in a folder of its own.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace artu::test {
+
+struct Finished {
+  int code = -1;  // exit code, or 128 + the signal
+  std::string out, err;
+};
+
+/// A test in an empty folder, which goes with it.
+class ProgramTest : public ::testing::Test {
+ protected:
+  ProgramTest();
+  ~ProgramTest() override;
+
+  /// `artu ARGS`, with the test's folder as its working directory.
+  Finished artu(const std::vector<std::string>& args) const;
+  /// The same, and expects exit code 0.
+  Finished fine(const std::vector<std::string>& args) const;
+  /// The same, and expects exit code 2, nothing on stdout, and one line on stderr, which is returned.
+  std::string refused(const std::vector<std::string>& args) const;
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  void write(const std::string& name, const std::string& text) const;
+  std::string read(const std::string& name) const;
+  bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+  /// Names of what the folder holds, sorted; of `name` in it.
+  std::vector<std::string> content(const std::string& name = ".") const;
+
+  /// A scene of two triangles.
+  void write_scene(const std::string& name) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace artu::test
