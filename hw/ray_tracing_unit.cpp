@@ -185,6 +185,7 @@ void RayTracingUnit::inject(const Fault& fault) {
     if (fault.datapath == Datapath::triangle) core->intersection.inject(bits);
     if (fault.datapath == Datapath::shading) core->shading.inject(code);
   }
+  if (fault.datapath == Datapath::dram) dram.lose(fault.bit);
   if (fault.datapath == Datapath::interpolation) render_executor.inject(code);
   if (fault.datapath == Datapath::threshold) threshold_adjuster.inject(code);
 }

@@ -13,10 +13,11 @@ struct RunMode {
   std::uint64_t seed = 1;
 };
 
-/// Datapaths whose result can be falsified, to show that the golden comparison sees it.
-enum class Datapath : std::uint8_t { none, box, triangle, shading, interpolation, threshold };
+/// Datapaths whose result can be falsified, to show that the golden comparison sees it; and the DRAM, an answer of
+/// which can be lost, to show that the dead-lock is.
+enum class Datapath : std::uint8_t { none, box, triangle, shading, interpolation, threshold, dram };
 
-/// A bit of the datapath's result that is inverted in every operation.
+/// The bit of the datapath's result that is inverted in every operation; the number of the DRAM's answer that is lost.
 struct Fault {
   Datapath datapath = Datapath::none;
   std::uint32_t bit = 0;

@@ -87,7 +87,7 @@ void MemoryConfig::visit(ParameterVisitor& v) {
 void UnitConfig::visit(ParameterVisitor& v) {
   v.enter("unit", "the unit as a whole");
   v.integer("clock_mhz", clock_mhz, {1, 10000}, "MHz", "clock");
-  v.integer("watchdog", watchdog, {1000, 4000000000u}, "cycles", "without a token moving: dead-lock, exit code 3");
+  v.integer("watchdog", watchdog, {1000, 4000000000u}, "cycles", "without a token moving and without a busy block: dead-lock, exit code 3");
   v.leave();
   v.enter("core", "ray cores");
   core.visit(v);

@@ -135,12 +135,22 @@ void ClockDomain::step() {
 
 void ClockDomain::watch() {
   if (now_ - watched_from_ < watchdog_) return;
-  if (watched_progress_ == timeline_.progress) {
+  if (watched_progress_ == timeline_.progress && !anyone_busy()) {
     dead_locked_ = true;
     finish();
   }
   watched_from_ = now_;
   watched_progress_ = timeline_.progress;
+}
+
+/// A busy block moves no token for as long as its computation takes, and yet it will.
+bool ClockDomain::anyone_busy() const {
+  for (const ClockDomain* domain : timeline_.domains) {
+    for (const Block* block : domain->blocks_) {
+      if (block->state() == State::busy) return true;
+    }
+  }
+  return false;
 }
 
 void ClockDomain::work(Cycle cycle) {

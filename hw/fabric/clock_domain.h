@@ -25,7 +25,8 @@ class ClockDomain : public sc_core::sc_module {
   /// The first cycle of this domain that begins strictly after `tick`.
   Cycle cycle_after(Tick tick) const { return tick / period_ + 1; }
 
-  /// Stops the frame when no token moves for this many cycles.
+  /// Stops the frame when no token has moved for this many cycles and no block is busy.  (An event-driven run
+  /// need not wait so long: it is stuck when no block will ever be woken.)
   void set_watchdog(Cycle cycles) { watchdog_ = cycles; }
   /// Whether the last frame ended because nothing moved any more.
   bool dead_locked() const { return dead_locked_; }
@@ -54,6 +55,7 @@ class ClockDomain : public sc_core::sc_module {
   void step();
   void work(Cycle cycle);
   void watch();
+  bool anyone_busy() const;
   Cycle next_cycle() const;
   Tick next_tick() const;
   void schedule();

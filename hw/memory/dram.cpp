@@ -29,6 +29,7 @@ void Dram::reset() {
     channel.head = 0;
   }
   arbiter_.reset();
+  answers_ = 0;
   read_bytes_ = write_bytes_ = row_hits_ = row_misses_ = row_empty_ = bus_clocks_ = 0;
 }
 
@@ -73,7 +74,7 @@ Activity Dram::tick(Cycle now) {
   if (chosen != channels_.size()) {
     if (link_->response.can_push()) {
       Channel_& channel = channels_[chosen];
-      link_->response.push(channel.queue[channel.head].response);
+      if (answers_++ != lost_) link_->response.push(channel.queue[channel.head].response);
       if (++channel.head == channel.queue.size()) {
         channel.queue.clear();
         channel.head = 0;

@@ -21,6 +21,8 @@ class Dram : public Block {
  public:
   Dram(sc_core::sc_module_name name, ClockDomain& domain, const DramConfig& config);
   void bind(MemoryLink& link) { link_ = &link; }
+  /// Fault injection: the answer with this number, from 0, is lost.
+  void lose(std::uint64_t answer) { lost_ = answer; }
 
   void reset() override;
   void report(Statistics& out) const override;
@@ -57,6 +59,7 @@ class Dram : public Block {
   MemoryLink* link_ = nullptr;
   std::vector<Channel_> channels_;
   RoundRobin arbiter_;
+  std::uint64_t lost_ = never, answers_ = 0;
   std::uint64_t read_bytes_ = 0, write_bytes_ = 0, row_hits_ = 0, row_misses_ = 0, row_empty_ = 0, bus_clocks_ = 0;
 };
 

@@ -85,6 +85,13 @@ void add_run_options(CLI::App& command, RunOptions& run) {
           "Of the two above; default 1")
       ->option_text("N")
       ->group("Simulation");
+  command
+      .add_option_function<std::string>(
+          "--inject-fault", [&run](const std::string& fault) { run.simulation.fault = parse_fault(fault); },
+          "Invert a bit of every result of a datapath (box, triangle, shading, interpolation, threshold), or "
+          "lose an answer of the dram, to see that it is found")
+      ->option_text("DATAPATH[:BIT]")
+      ->group("Simulation");
 }
 
 /// One line, without the full stop.

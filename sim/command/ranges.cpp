@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <utility>
 
 #include "traces/error.h"
 
@@ -49,6 +50,31 @@ PictureSize parse_size(const std::string& text) {
     throw InputError("--size", fmt::format("{} is out of range; 1x1 ... 16384x16384 would be right", text));
   }
   return {*width, *height};
+}
+
+hw::Fault parse_fault(const std::string& text) {
+  static constexpr std::pair<const char*, hw::Datapath> datapaths[] = {{"box", hw::Datapath::box},
+                                                                       {"triangle", hw::Datapath::triangle},
+                                                                       {"shading", hw::Datapath::shading},
+                                                                       {"interpolation", hw::Datapath::interpolation},
+                                                                       {"threshold", hw::Datapath::threshold},
+                                                                       {"dram", hw::Datapath::dram}};
+  const std::size_t colon = text.find(':');
+  for (const auto& [name, datapath] : datapaths) {
+    if (text.substr(0, colon) != name) continue;
+    if (colon == std::string::npos) return {datapath, 0};
+    // Intervals and t have 32 bits, colour codes and thresholds 8.
+    const bool wide =
+        datapath == hw::Datapath::box || datapath == hw::Datapath::triangle || datapath == hw::Datapath::dram;
+    const auto bit = parse_number<std::uint32_t>(text.substr(colon + 1));
+    if (bit && *bit < (wide ? 32 : 8)) return {datapath, *bit};
+    throw InputError("--inject-fault", fmt::format("\"{}\" has no such bit; {}:0 ... {}:{} would be right", text, name,
+                                                   name, wide ? 31 : 7));
+  }
+  throw InputError("--inject-fault",
+                   fmt::format("\"{}\" is not a datapath; box, triangle, shading, interpolation, threshold or "
+                               "dram, with :BIT, would be right",
+                               text));
 }
 
 std::uint64_t parse_seed(const std::string& text) {

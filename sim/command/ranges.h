@@ -1,9 +1,11 @@
-// `--frames`, `--size` and `--seed` as numbers.
+// `--frames`, `--size`, `--seed` and `--inject-fault` as numbers.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
+
+#include "hw/run_mode.h"
 
 namespace artu::sim {
 
@@ -22,6 +24,9 @@ struct PictureSize {
 
 /// "WxH", each 1 ... 16384.  Throws InputError.
 PictureSize parse_size(const std::string& text);
+
+/// "DATAPATH" or "DATAPATH:BIT", as in `--inject-fault box:31`; without BIT the lowest.  Throws InputError.
+hw::Fault parse_fault(const std::string& text);
 
 /// 0 ... 2^64 - 1.  Throws InputError.
 std::uint64_t parse_seed(const std::string& text);

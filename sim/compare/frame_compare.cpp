@@ -32,7 +32,10 @@ void compare_frame(const ref::Result& golden, const FrameOutcome& unit, CheckRes
     if (fields.none()) continue;
     ++result.differing_pixels;
     for (std::size_t f = 0; f < pixel_field_count; ++f) result.differing_fields[f] += fields[f];
-    if (!result.first) {
+    // A fault in a pass shows in the passes after it too: the earliest pass has the cause.
+    const bool earlier =
+        !result.first || (result.first->frame == unit.index && golden.pixels[i].pass < result.first->golden.pass);
+    if (earlier) {
       result.first = PixelMismatch{unit.index, static_cast<std::uint32_t>(i % unit.width),
                                    static_cast<std::uint32_t>(i / unit.width), golden.pixels[i], unit.pixels[i]};
     }

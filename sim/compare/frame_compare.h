@@ -30,7 +30,7 @@ struct CheckResult {
   std::uint64_t pixels = 0;            // compared
   std::uint64_t differing_pixels = 0;  // in one field or more
   std::array<std::uint64_t, pixel_field_count> differing_fields{};
-  std::optional<PixelMismatch> first;  // in the order of frames, rows, columns
+  std::optional<PixelMismatch> first;  // in the order of frames, passes, rows, columns
   std::vector<RayMismatch> rays;
   double golden_seconds = 0, simulation_seconds = 0;
 

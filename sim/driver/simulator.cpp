@@ -44,7 +44,7 @@ struct Simulator::Impl {
       : scene(scene),
         config(config),
         builder(scene, image),
-        unit("unit", config, mode_of(options), image, {options.fault, options.fault_bit}) {}
+        unit("unit", config, mode_of(options), image, options.fault) {}
 
   void check_stack(const traces::Frame& frame) const {
     const std::uint32_t depth = std::max(builder.static_depth(), builder.dynamic_depth()) + 1;

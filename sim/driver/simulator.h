@@ -15,14 +15,13 @@
 
 namespace artu::sim {
 
-/// How the model is run; none of it changes a pixel, only `random_stall` changes cycles.
+/// How the model is run; only `fault` changes a pixel, only `random_stall` and `fault` change cycles.
 struct SimulationOptions {
   bool clocked = false;           // tick every block in every cycle, not only those that are awake
   bool random_stall = false;      // random extra latency on every channel
   bool shuffle_ticks = false;     // random order of blocks within each cycle
   std::uint64_t seed = 1;         // of the two above
-  hw::Datapath fault = hw::Datapath::none;  // this datapath's result is falsified, to show that a check sees it
-  std::uint32_t fault_bit = 0;              // the bit that is inverted
+  hw::Fault fault;                // a datapath's result is falsified, to show that a check sees it
 };
 
 /// One frame as the unit rendered it.

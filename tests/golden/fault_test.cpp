@@ -8,8 +8,7 @@ sim::CheckResult check_with(hw::Datapath datapath, std::uint32_t bit, const hw::
   Recipe recipe;
   recipe.mirror = true;
   sim::SimulationOptions options;
-  options.fault = datapath;
-  options.fault_bit = bit;
+  options.fault = {datapath, bit};
   return run(make_scene(recipe), config, options).check;
 }
 
@@ -31,7 +30,7 @@ TEST(Fault, TriangleLastBitOfTChangesOnlyT) {
   Recipe recipe;
   recipe.static_sphere = recipe.moving_sphere = false;
   sim::SimulationOptions options;
-  options.fault = hw::Datapath::triangle;
+  options.fault = {hw::Datapath::triangle, 0};
   const sim::CheckResult check = run(make_scene(recipe), {}, options).check;
   ASSERT_FALSE(check.passed());
   EXPECT_TRUE(differs(check, sim::PixelField::t_bits));

@@ -122,6 +122,28 @@ TEST(ClockDomain, TheWatchdogStopsAFrameInWhichTokensRest) {
   EXPECT_FALSE(bench.clock.dead_locked());
 }
 
+/// Computes until cycle 1000, moving nothing.
+class Thinker : public Block {
+ public:
+  using Block::Block;
+  void reset() override {}
+
+ private:
+  Activity tick(Cycle now) override {
+    return now < 1000 ? Activity{State::busy, now + 7} : Activity{State::stall_in, now + 7};
+  }
+};
+
+TEST(ClockDomain, TheWatchdogWaitsForABusyBlock) {
+  Bench bench;
+  bench.block<Thinker>("thinker");
+  bench.clock.set_watchdog(100);
+  bench.run_until_quiet();
+  EXPECT_TRUE(bench.clock.dead_locked());
+  EXPECT_GE(bench.clock.now(), 1000u);
+  EXPECT_LE(bench.clock.now(), 1000u + 2 * (100 + 7));
+}
+
 TEST(ClockDomain, TheWatchdogLetsAFrameGoOnInWhichTokensMove) {
   Bench bench;
   auto& fifo = bench.fifo<int>("wire", 2);

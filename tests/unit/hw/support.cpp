@@ -107,7 +107,8 @@ Activity ScriptedMemory::tick(Cycle now) {
     due_.erase(due_.begin());
     moved = true;
   }
-  if (moved || link_.request.can_pop()) return {State::busy, now + 1};
+  if (moved) return {State::busy, now + 1};
+  if (link_.request.can_pop()) return {State::stall_in, now + 1};
   return {State::stall_in, due_.empty() ? never : std::max(due_.begin()->first, now + 1)};
 }
 

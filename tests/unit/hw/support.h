@@ -151,11 +151,10 @@ class Sink : public Block {
  private:
   Activity tick(Cycle now) override {
     if (!in_.can_pop()) return {State::stall_in};
-    if (!open || open(now)) {
-      tokens.push_back(in_.front());
-      cycles.push_back(now);
-      in_.pop();
-    }
+    if (open && !open(now)) return {State::stall_in, now + 1};
+    tokens.push_back(in_.front());
+    cycles.push_back(now);
+    in_.pop();
     return {State::busy, now + 1};
   }
 

@@ -53,8 +53,11 @@ TEST(Triangle, EdgesAndCornersBelongToIt) {
   TriangleHit hit;
   EXPECT_TRUE(hit_at(2, 0, hit));
   EXPECT_TRUE(hit_at(2, 2, hit));
-  EXPECT_TRUE(hit_at(0, 4, hit));
   EXPECT_TRUE(hit_at(0, 0, hit));
+  // In the upper face of its bounding box it is outside of it for a ray exactly parallel to that face, as section 3
+  // says ((hi - o) * inv is 0), and inside for all others.
+  EXPECT_FALSE(hit_at(0, 4, hit));
+  EXPECT_TRUE(intersect(ray_from({0, 4, 4}, {0, -0x1p-60f, -1}), a, b, c, hit));
   EXPECT_FALSE(hit_at(2, -0x1p-20f, hit));
   EXPECT_FALSE(hit_at(2, 2.000001f, hit));
   EXPECT_FALSE(hit_at(-0x1p-20f, 2, hit));

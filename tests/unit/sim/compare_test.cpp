@@ -134,6 +134,21 @@ TEST(FrameCompare, FindsTheFirstMismatchAndCountsAllByField) {
   EXPECT_THAT(text, HasSubstr("2 of 12 pixels differ (colour in 2, pass in 1)"));
 }
 
+TEST(FrameCompare, TheFirstMismatchIsThatOfTheEarliestPass) {
+  // A fault of an early pass changes the decisions of later ones, and their pixels may lie above it.
+  std::vector<hw::PixelRecord> pixels(4, unit_pixel());
+  pixels[1].r = 0;
+  pixels[3].r = 0;
+  ref::Result golden = golden_of(4, 2);
+  golden.pixels[3].pass = 0;
+  golden.pixels[1].pass = 2;
+  CheckResult result;
+  compare_frame(golden, outcome_of(pixels, 2), result);
+  ASSERT_TRUE(result.first);
+  EXPECT_EQ(result.first->x, 1u);
+  EXPECT_EQ(result.first->y, 1u);
+}
+
 TEST(FrameCompare, TheFirstOfSeveralFramesStaysTheFirst) {
   std::vector<hw::PixelRecord> pixels(4, unit_pixel());
   pixels[3].r = 0;
