@@ -1,0 +1,195 @@
+// The candidate-pixel extractor on a frame buffer made by hand: neighbourhoods, borders, latency and throughput.
+#include <gtest/gtest.h>
+
+#include "hw/selective/candidate_pixel_extractor.h"
+#include "unit/hw/support.h"
+
+namespace artu::hw::test {
+namespace {
+
+constexpr Cycle memory_latency = 20;
+
+struct Extractor {
+  Extractor(std::uint32_t width, std::uint32_t height)
+      : cache(bench.block<Cache>("cache", config.pixel_cache)),
+        memory(bench.block<ScriptedMemory>("memory", below, 1, memory_latency)),
+        extractor(bench.block<CandidatePixelExtractor>("extractor", config, registers, image, cache)),
+        command(bench.block<Source<PassCommand>>("command", commands)),
+        sink(bench.block<Sink<Candidate>>("sink", out)) {
+    FrameDescriptor& frame = registers.descriptor;
+    frame.width = width;
+    frame.height = height;
+    frame.pitch = (width + 63) / 64 * 64;
+    frame.frame_buffer = image.allocate(std::uint64_t{frame.pitch} * height * 4);
+    frame.hit_classes = image.allocate(std::uint64_t{frame.pitch} * height);
+    for (std::uint32_t y = 0; y < height; ++y) {
+      for (std::uint32_t x = 0; x < width; ++x) {
+        std::uint8_t* rgba = &image.at<std::uint8_t>(frame.frame_buffer + (y * frame.pitch + x) * 4);
+        rgba[0] = static_cast<std::uint8_t>(x);
+        rgba[1] = static_cast<std::uint8_t>(y);
+        rgba[2] = 5;
+        set_class(x, y, HitClass::static_geometry);
+      }
+    }
+    link.bind(extractor, cache);
+    below.bind(cache, memory);
+    cache.add_client(link);
+    cache.bind_below(below);
+    commands.bind(command, extractor);
+    out.bind(extractor, sink);
+    extractor.bind(commands, out, link);
+  }
+  void set_class(std::uint32_t x, std::uint32_t y, HitClass hit_class) {
+    image.at<HitClass>(registers.descriptor.hit_classes + y * registers.descriptor.pitch + x) = hit_class;
+  }
+  const std::vector<Candidate>& run(std::uint8_t pass) {
+    command.push_at(9, {pass, 2});
+    bench.run(20000);
+    return sink.tokens;
+  }
+  const Candidate& at(std::uint32_t x, std::uint32_t y) const {
+    for (const Candidate& c : sink.tokens) {
+      if (c.x == x && c.y == y) return c;
+    }
+    static const Candidate missing;
+    ADD_FAILURE() << "no candidate " << x << ", " << y;
+    return missing;
+  }
+
+  const SelectiveConfig config;
+  Bench bench;
+  MemoryImage image;
+  FrameRegisters registers;
+  MemoryLink& link = bench.link("link", 4, 1, 2);
+  MemoryLink& below = bench.link("below", 8, 1, 1);
+  Fifo<PassCommand>& commands = bench.fifo<PassCommand>("commands", 2);
+  Fifo<Candidate>& out = bench.fifo<Candidate>("out", 4);
+  Cache& cache;
+  ScriptedMemory& memory;
+  CandidatePixelExtractor& extractor;
+  Source<PassCommand>& command;
+  Sink<Candidate>& sink;
+};
+
+/// Which of the 8 neighbours, row by row, counts; all are static in the map.
+std::string counted(const Candidate& c) {
+  std::string text;
+  for (HitClass hit_class : c.neighbours) text += hit_class == HitClass::static_geometry ? '#' : '.';
+  return text;
+}
+
+TEST(Extractor, HorizontalCandidatesLieBetweenSamplingPixels) {
+  Extractor e(9, 4);
+  EXPECT_EQ(e.run(1).size(), 4u * 2);
+  const Candidate& c = e.at(3, 2);
+  EXPECT_TRUE(c.pair);
+  EXPECT_EQ(c.pass, 1);
+  EXPECT_EQ(c.a.r, 2);
+  EXPECT_EQ(c.b.r, 4);
+  EXPECT_EQ(c.a.g, 2);
+  EXPECT_EQ(c.a.b, 5);
+  // Row by row: only the two sampling pixels beside it are of an earlier pass.
+  EXPECT_EQ(counted(c), "...##...");
+}
+
+TEST(Extractor, VerticalCandidatesSeeBothEarlierPasses) {
+  Extractor e(9, 5);
+  EXPECT_EQ(e.run(2).size(), 9u * 2);
+  const Candidate& c = e.at(4, 3);
+  EXPECT_TRUE(c.pair);
+  EXPECT_EQ(c.a.g, 2);
+  EXPECT_EQ(c.b.g, 4);
+  EXPECT_EQ(c.a.r, 4);
+  EXPECT_EQ(counted(c), "###..###");
+}
+
+TEST(Extractor, NeighboursOutsideTheImageDoNotCount) {
+  Extractor e(9, 5);
+  e.run(2);
+  EXPECT_EQ(counted(e.at(0, 1)), ".##...##");
+  EXPECT_EQ(counted(e.at(8, 3)), "##...##.");
+}
+
+TEST(Extractor, AtTheRightAndLowerBorderThePairIsIncomplete) {
+  Extractor right(8, 3), lower(9, 4);
+  right.run(1);
+  EXPECT_FALSE(right.at(7, 2).pair);
+  EXPECT_TRUE(right.at(5, 2).pair);
+  EXPECT_EQ(counted(right.at(7, 2)), "...#....");
+  lower.run(2);
+  EXPECT_FALSE(lower.at(4, 3).pair);
+  EXPECT_TRUE(lower.at(4, 1).pair);
+  EXPECT_EQ(counted(lower.at(4, 3)), "###.....");
+}
+
+TEST(Extractor, ClassesAreHandedOnAsTheyAre) {
+  Extractor e(9, 5);
+  e.set_class(3, 2, HitClass::none);
+  e.set_class(4, 2, HitClass::miss);
+  e.set_class(5, 2, HitClass::dynamic_geometry);
+  e.run(2);
+  const auto& n = e.at(4, 1).neighbours;
+  EXPECT_EQ(n[5], HitClass::none);
+  EXPECT_EQ(n[6], HitClass::miss);
+  EXPECT_EQ(n[7], HitClass::dynamic_geometry);
+}
+
+TEST(Extractor, VisitsEachCandidateOnceAndInTileOrder) {
+  for (std::uint8_t pass : {1, 2}) {
+    Extractor e(37, 21);
+    const auto candidates = e.run(pass);
+    TileWalk walk = CandidatePixelExtractor::walk(pass, 37, 21, e.config.tile);
+    std::size_t i = 0;
+    for (; !walk.done(); walk.next()) {
+      for (std::uint32_t x = walk.span().begin; x < walk.span().end; x += walk.dx(), ++i) {
+        ASSERT_LT(i, candidates.size());
+        ASSERT_EQ(candidates[i].x, x);
+        ASSERT_EQ(candidates[i].y, walk.span().y);
+      }
+    }
+    EXPECT_EQ(i, candidates.size());
+  }
+}
+
+TEST(Extractor, TheFirstCandidateWaitsForTheLinesOfItsSpan) {
+  Extractor e(16, 1);
+  e.run(1);
+  // Command in 10; in the same cycle the span is opened and its first line asked for, then the second one (16 pixels:
+  // one line of colours, one of classes): in the cache in 12, at the memory in 13, back in 13 + latency, answered two
+  // cycles (hit latency) later, and a candidate leaves in that cycle.
+  const Cycle first = 13 + memory_latency + 2;
+  EXPECT_EQ(e.memory.cycles, (std::vector<Cycle>{12, 13}));
+  EXPECT_EQ(e.sink.cycles, every(first + 1, 8));  // one a cycle
+}
+
+TEST(Extractor, HandsOnOneCandidateACycleOnceTheLinesAreThere) {
+  // Pass 2 at 16 pixels a span and at most 8 lines a span: the fetches of four spans hide behind the candidates.
+  Extractor e(64, 65);
+  e.memory.latency = [](const MemoryRequest&) -> Cycle { return 2; };
+  const auto count = e.run(2).size();
+  EXPECT_EQ(count, 64u * 32);
+  EXPECT_EQ(e.sink.cycles.back() - e.sink.cycles.front(), count - 1);
+}
+
+TEST(Extractor, ReadsTheFrameAfreshInEveryPass) {
+  Extractor e(16, 3);
+  e.command.push_at(9, {1, 2}).push_at(1009, {1, 2});
+  e.bench.run(3000);
+  ASSERT_EQ(e.sink.tokens.size(), 2u * 16);
+  EXPECT_EQ(e.memory.requests.size(), 2u * 4) << "two rows of a colour and a class line, fetched twice";
+  EXPECT_EQ(e.sink.cycles[16], e.sink.cycles[0] + 1000);
+}
+
+TEST(Extractor, StallsTellWhatItWaitsFor) {
+  Extractor slow(64, 33);
+  slow.memory.latency = [](const MemoryRequest&) -> Cycle { return 200; };
+  slow.run(1);
+  EXPECT_GT(slow.extractor.cycles_in(State::stall_mem), 500u);
+  Extractor blocked(64, 33);
+  blocked.sink.open = [](Cycle now) { return now > 5000; };
+  blocked.run(1);
+  EXPECT_GT(blocked.extractor.cycles_in(State::stall_out), 4000u);
+}
+
+}  // namespace
+}  // namespace artu::hw::test
