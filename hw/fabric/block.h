@@ -20,12 +20,19 @@ enum class State : std::uint8_t {
 };
 inline constexpr std::size_t state_count = 5;
 
-/// Returned by a block's tick: what this cycle was, and when the block must be ticked again at the latest
-/// (a channel wakes it earlier).  Until then the state stays what it is: that is the contract which makes
-/// sleeping blocks exact, and ticking one more often than it asks must change nothing.
+/// Returned by a block's tick: what this cycle is, and when the block must be ticked again at the latest
+/// (a channel wakes it earlier).  Until then the cycles are as `after` says, by default as this one: that is
+/// the contract which makes sleeping blocks exact, and ticking one more often than it asks must change nothing.
 struct Activity {
-  State state;
-  Cycle next = never;
+  Activity(State now, Cycle next_tick = never) : state(now), after(now), next(next_tick) {}
+  /// This cycle as `now`, the following ones as `then`, with no tick until a channel wakes the block.
+  static Activity once(State now, State then) {
+    Activity activity(now);
+    activity.after = then;
+    return activity;
+  }
+  State state, after;
+  Cycle next;
 };
 
 class ClockDomain;
@@ -44,7 +51,8 @@ class Block : public sc_core::sc_module {
   ClockDomain& domain() { return domain_; }
   Cycle now() const;
   std::uint64_t cycles_in(State state) const { return cycles_[static_cast<std::size_t>(state)]; }
-  State state() const { return state_; }
+  /// What it did last.
+  State state() const { return after_; }
   /// Instance path below the unit, such as "core0.traversal".
   std::string path() const;
   /// Which phases of the frame the block has a part in (bits of Phase); outside them waiting is idling.
@@ -61,13 +69,18 @@ class Block : public sc_core::sc_module {
   void begin_frame(Cycle now);
   void end_frame(Cycle now) { account(now); }
   void account(Cycle now) {
-    cycles_[static_cast<std::size_t>(state_)] += now - since_;
+    if (now == since_) return;
+    ++cycles_[static_cast<std::size_t>(state_)];
+    cycles_[static_cast<std::size_t>(after_)] += now - since_ - 1;
     since_ = now;
+  }
+  State in_phase(State state) const {
+    return state == State::stall_in && (phases_ & phase_) == 0 ? State::idle : state;
   }
 
   ClockDomain& domain_;
   std::size_t index_ = 0;  // in the domain's wake list
-  State state_ = State::idle;
+  State state_ = State::idle, after_ = State::idle;
   Cycle since_ = 0;
   unsigned phases_ = ~0u, phase_ = 1, next_phase_ = 1;
   Cycle phase_from_ = 0;

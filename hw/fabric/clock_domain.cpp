@@ -199,7 +199,7 @@ void Block::set_phase(unsigned phase) {
 
 void Block::begin_frame(Cycle now) {
   cycles_.fill(0);
-  state_ = State::idle;
+  state_ = after_ = State::idle;
   since_ = now;
   phase_ = next_phase_ = 1;
   phase_from_ = 0;
@@ -209,7 +209,8 @@ void Block::run(Cycle now) {
   account(now);
   if (now >= phase_from_) phase_ = next_phase_;
   const Activity activity = tick(now);
-  state_ = activity.state == State::stall_in && (phases_ & phase_) == 0 ? State::idle : activity.state;
+  state_ = in_phase(activity.state);
+  after_ = in_phase(activity.after);
   if (activity.next != never) domain_.wake(*this, activity.next);
 }
 

@@ -71,7 +71,6 @@ bool Cache::install(Address line, bool dirty) {
 
 /// (1) A line, or the acknowledgement of a write-back, from below.
 bool Cache::accept_fill() {
-  if (!below_->response.can_pop()) return false;
   const std::uint32_t tag = below_->response.front().tag;
   if (tag == write_back_tag) {
     --outstanding_writes_;
@@ -90,7 +89,6 @@ bool Cache::accept_fill() {
 
 /// (2) One of the requests that waited for a line that is now here.
 bool Cache::answer_target() {
-  if (filled_head_ == filled_.size()) return false;
   Mshr& mshr = mshrs_[filled_[filled_head_]];
   const Target& target = mshr.targets[mshr.answered];
   Fifo<MemoryResponse>& response = clients_[target.client]->response;
@@ -188,12 +186,14 @@ bool Cache::flush_step() {
 }
 
 Activity Cache::tick(Cycle now) {
-  bool moved = accept_fill();
+  bool moved = below_->response.can_pop() && accept_fill();
   bool blocked_out = false, blocked_mem = false;
-  if (answer_target()) {
-    moved = true;
-  } else if (filled_head_ != filled_.size()) {
-    blocked_out = true;
+  if (filled_head_ != filled_.size()) {
+    if (answer_target()) {
+      moved = true;
+    } else {
+      blocked_out = true;
+    }
   } else {
     // A client whose request cannot be served does not keep the others from being served.
     const std::size_t client = arbiter_.pick(clients_.size(), [&](std::size_t i) {
@@ -207,18 +207,33 @@ Activity Cache::tick(Cycle now) {
       moved = true;
     }
   }
-  if (flush_ != nullptr && !flushing_ && flush_->can_pop()) {
+  if (flush_ != nullptr) moved |= flush();
+
+  const State waiting = busy_mshrs_ != 0 || outstanding_writes_ != 0 ? State::stall_mem : State::stall_in;
+  if (moved) return anything_left() ? Activity(State::busy, now + 1) : Activity::once(State::busy, waiting);
+  if (blocked_out) return {State::stall_out};
+  return {blocked_mem ? State::stall_mem : waiting};
+}
+
+/// Work that the next cycle could do without anything arriving.
+bool Cache::anything_left() const {
+  if (filled_head_ != filled_.size() || flushing_ || below_->response.can_pop()) return true;
+  for (const MemoryLink* client : clients_) {
+    if (client->request.can_pop()) return true;
+  }
+  return false;
+}
+
+/// Takes the command, then one step a cycle; true if something was done.
+bool Cache::flush() {
+  bool moved = false;
+  if (!flushing_ && flush_->can_pop()) {
     flush_->pop();
     flushing_ = true;
     flush_at_ = 0;
     moved = true;
   }
-  if (flushing_ && flush_step()) moved = true;
-
-  if (moved) return {State::busy, now + 1};
-  if (blocked_out) return {State::stall_out};
-  if (blocked_mem || busy_mshrs_ != 0 || outstanding_writes_ != 0) return {State::stall_mem};
-  return {State::stall_in};
+  return (flushing_ && flush_step()) || moved;
 }
 
 void Cache::report(Statistics& out) const {

@@ -69,7 +69,9 @@ class Cache : public Block {
   bool answer_target();
   bool serve(std::size_t client, bool& blocked_out);
   bool miss(std::size_t client, const MemoryRequest& request);
+  bool flush();
   bool flush_step();
+  bool anything_left() const;
   Line* find(Address line);
   Line* victim(Address line);
   bool install(Address line, bool dirty);

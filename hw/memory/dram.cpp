@@ -95,14 +95,14 @@ Activity Dram::tick(Cycle now) {
       moved = true;
     }
   }
-  if (moved) return {State::busy, now + 1};
-  if (blocked) return {State::stall_out};
+  if (moved && link_->request.can_pop()) return {State::busy, now + 1};
+  if (blocked && !moved) return {State::stall_out};
   Cycle next = never;
   for (const Channel_& channel : channels_) {
     if (channel.waiting() != 0) next = std::min(next, channel.queue[channel.head].done);
   }
   if (next != never) return {State::busy, std::max(next, now + 1)};
-  return {State::stall_in};
+  return moved ? Activity::once(State::busy, State::stall_in) : Activity(State::stall_in);
 }
 
 void Dram::report(Statistics& out) const {

@@ -43,7 +43,11 @@ Activity Interconnect::tick(Cycle now) {
       blocked = true;
     }
   }
-  if (moved) return {State::busy, now + 1};
+  if (moved) {
+    bool left = below_->response.can_pop();
+    for (std::uint64_t word : waiting_) left |= word != 0;
+    return left ? Activity(State::busy, now + 1) : Activity::once(State::busy, State::stall_in);
+  }
   return {blocked ? State::stall_out : State::stall_in};
 }
 

@@ -52,7 +52,10 @@ Activity HitPoint::tick(Cycle now) {
       blocked = true;
     }
   }
-  if (moved) return {State::busy, now + 1};
+  if (moved) {
+    if (in_->can_pop() || triangles_->response.can_pop()) return {State::busy, now + 1};
+    return Activity::once(State::busy, outstanding_ != 0 ? State::stall_mem : State::stall_in);
+  }
   if (blocked || outstanding_ != 0) return {State::stall_mem};
   return {State::stall_in};
 }

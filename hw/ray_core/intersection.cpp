@@ -74,7 +74,11 @@ Activity Intersection::tick(Cycle now) {
       blocked = true;
     }
   }
-  if (moved) return {State::busy, now + 1};
+  if (moved) {
+    const bool left = fetching_ || in_->can_pop() || triangles_->response.can_pop();
+    if (left) return {State::busy, now + 1};
+    return Activity::once(State::busy, outstanding_ != 0 ? State::stall_mem : State::stall_in);
+  }
   if (blocked || outstanding_ != 0) return {State::stall_mem};
   return {State::stall_in};
 }

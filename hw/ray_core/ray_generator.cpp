@@ -43,7 +43,10 @@ Activity RayGenerator::tick(Cycle now) {
     primary_->push(slot);
     moved = true;
   }
-  if (moved) return {State::busy, now + 1};
+  if (moved) {
+    const bool left = next_rays_->can_pop() || jobs_->can_pop() || freed_->can_pop();
+    return left ? Activity(State::busy, now + 1) : Activity::once(State::busy, State::stall_in);
+  }
   return {State::stall_in};
 }
 

@@ -1,5 +1,7 @@
 #include "hw/ray_core/traversal.h"
 
+#include <algorithm>
+
 #include "hw/datapath/box.h"
 
 namespace artu::hw {
@@ -147,7 +149,14 @@ Activity Traversal::tick(Cycle now) {
       moved = true;
     }
   }
-  if (moved) return {State::busy, now + 1};
+  if (moved) {
+    const bool left = ports_.nodes->response.can_pop() || ports_.others->can_pop() || ports_.primary->can_pop() ||
+                      ports_.tested->can_pop() || step == Step::dropping;
+    if (left) return {State::busy, now + 1};
+    // Rays in the box pipeline keep the block busy until the first of them leaves it.
+    if (ready_head_ != ready_tail_) return {State::busy, std::max(now + 1, ready_[ready_head_ % ready_.size()].at)};
+    return Activity::once(State::busy, fetches_ != 0 ? State::stall_mem : State::stall_in);
+  }
   if (step == Step::blocked_memory) return {State::stall_mem};
   if (step == Step::blocked_out) return {State::stall_out};
   if (now < stepper_free_ && (tested || boxed)) return {State::busy, stepper_free_};

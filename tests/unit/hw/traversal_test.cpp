@@ -1,0 +1,226 @@
+// Traversal and intersection together, on trees made by hand: latency, throughput, order, what is left out.
+#include <gtest/gtest.h>
+
+#include "hw/ray_core/intersection.h"
+#include "unit/hw/core_support.h"
+
+namespace artu::hw::test {
+namespace {
+
+constexpr Cycle hit_latency = 2;  // of the caches, which always hit here
+constexpr auto leaf = NodeReference::leaf;
+constexpr auto inner = NodeReference::inner;
+
+struct Walker {
+  explicit Walker(std::size_t contexts = 64)
+      : scene(contexts),
+        traversal(bench.block<Traversal>("traversal", scene.registers, scene.image, scene.contexts,
+                                         scene.pipelines.box)),
+        intersection(bench.block<Intersection>("intersection", scene.registers, scene.image, scene.contexts)),
+        tested(bench.fifo<Slot>("tested", static_cast<std::uint32_t>(contexts), scene.pipelines.triangle)),
+        node_memory(bench.block<ScriptedMemory>("node_memory", nodes, hit_latency, hit_latency)),
+        triangle_memory(bench.block<ScriptedMemory>("triangle_memory", triangles, hit_latency, hit_latency)),
+        rays(bench.block<Source<Slot>>("rays", primary)),
+        no_rays(bench.block<Source<Slot>>("no_rays", others)),
+        hits(bench.block<Sink<Slot>>("hits", hit)),
+        misses(bench.block<Sink<Slot>>("misses", miss)),
+        shadows(bench.block<Sink<Slot>>("shadows", shadow)) {
+    primary.bind(rays, traversal);
+    others.bind(no_rays, traversal);
+    leaves.bind(traversal, intersection);
+    tested.bind(intersection, traversal);
+    hit.bind(traversal, hits);
+    miss.bind(traversal, misses);
+    shadow.bind(traversal, shadows);
+    nodes.bind(traversal, node_memory);
+    triangles.bind(intersection, triangle_memory);
+    traversal.bind({&primary, &others, &tested, &leaves, &hit, &miss, &shadow, &nodes});
+    intersection.bind(leaves, tested, triangles);
+  }
+  /// Rays 0 ... count - 1 arrive from cycle 10 on.
+  void run(std::size_t count, Cycle last = 20000) {
+    rays.push_all(9, slots(count));
+    bench.run(last);
+  }
+  Bench bench;
+  CoreScene scene;
+  Fifo<Slot>& primary = bench.fifo<Slot>("primary", 8);
+  Fifo<Slot>& others = bench.fifo<Slot>("others", 8);
+  Fifo<Slot>& hit = bench.fifo<Slot>("hit", 5);
+  Fifo<Slot>& miss = bench.fifo<Slot>("miss", 5);
+  Fifo<Slot>& shadow = bench.fifo<Slot>("shadow", 5);
+  Fifo<LeafTask>& leaves = bench.fifo<LeafTask>("leaves", 5);
+  MemoryLink& nodes = bench.link("nodes", 4, 1, hit_latency);
+  MemoryLink& triangles = bench.link("triangles", 4, 1, hit_latency);
+  Traversal& traversal;
+  Intersection& intersection;
+  Fifo<Slot>& tested;
+  ScriptedMemory &node_memory, &triangle_memory;
+  Source<Slot>&rays, &no_rays;
+  Sink<Slot>&hits, &misses, &shadows;
+};
+
+/// One node, a leaf on the left and one on the right.
+void two_leaves(CoreScene& scene) {
+  scene.triangle(false, 0, 1, 100);
+  scene.triangle(false, 1, 1, 101, 50);
+  scene.node(false, 0, {leaf(0, 1, false), 1, 1}, {leaf(1, 1, false), 1, 1, 50});
+  scene.root(false, inner(0, false));
+}
+
+TEST(Traversal, OneRayThroughOneNodeAndOneTriangleIsTheSumOfItsStages) {
+  Walker w;
+  two_leaves(w.scene);
+  w.scene.ray(0, 1, 1);
+  w.run(1);
+  const Cycle box = w.scene.pipelines.box, triangle = w.scene.pipelines.triangle;
+  const Cycle fetch = 1 + hit_latency;  // request channel, cache
+  // Root boxes, fetch of the node, its boxes, leaf channel, fetch of the triangle, its test, channel to hit_point.
+  EXPECT_EQ(w.hits.cycles, std::vector<Cycle>{10 + box + fetch + box + 1 + fetch + triangle + 1});
+  EXPECT_EQ(box, 14u);       // (3 + 3) + 3 * 1 + 3 + 2 * 1
+  EXPECT_EQ(triangle, 36u);  // 3 + (3 + 3) + (3 + 3) + 2 * 3 + 12 + 3 * 1
+  EXPECT_EQ(w.scene.contexts[0].best_primitive, 100u);
+  EXPECT_EQ(w.scene.contexts[0].best.t, 9.0f);
+  EXPECT_EQ(w.scene.contexts[0].hit_class, HitClass::static_geometry);
+}
+
+TEST(Traversal, ARayThatMissesTheRootBoxesCostsOneBoxTest) {
+  Walker w;
+  two_leaves(w.scene);
+  w.scene.ray(0, 1000, 1);
+  w.run(1);
+  EXPECT_EQ(w.misses.cycles, std::vector<Cycle>{10 + Cycle{w.scene.pipelines.box} + 1});
+  EXPECT_TRUE(w.node_memory.requests.empty());
+  EXPECT_EQ(w.scene.contexts[0].hit_class, HitClass::miss);
+}
+
+TEST(Traversal, ADeadRayIsAMiss) {
+  Walker w;
+  two_leaves(w.scene);
+  w.scene.ray(0, 1, 1);
+  w.scene.contexts[0].ray.direction = {};
+  w.run(1);
+  EXPECT_EQ(w.misses.cycles, std::vector<Cycle>{10 + Cycle{w.scene.pipelines.box} + 1});
+}
+
+TEST(Traversal, RaysThatMissTheRootBoxesEndOneACycle) {
+  Walker w;
+  two_leaves(w.scene);
+  for (Slot slot : slots(64)) w.scene.ray(slot, 1000, 1);
+  w.run(64);
+  EXPECT_EQ(w.misses.cycles, every(10 + Cycle{w.scene.pipelines.box} + 1, 64));
+}
+
+TEST(Traversal, TheBoxTesterWorksInEveryCycleForManyIndependentRays) {
+  // A chain of nodes whose last one is missed: with its root boxes a ray needs `depth` + 1 box tests.
+  constexpr std::uint32_t depth = 8;
+  constexpr std::size_t count = 64;
+  Walker w(count);
+  for (std::uint32_t i = 0; i < depth; ++i) {
+    const std::uint32_t next = i + 1 < depth ? inner(i + 1, false) : leaf(0, 1, false);
+    w.scene.node(false, i, {next, 1, 1, i + 1 < depth ? 0.0f : 50.0f}, {leaf(0, 1, false), 1, 1, 50});
+  }
+  w.scene.root(false, inner(0, false));
+  for (Slot slot : slots(count)) w.scene.ray(slot, 1, 1);
+  w.run(count);
+  ASSERT_EQ(w.misses.tokens.size(), count);
+  EXPECT_EQ(w.traversal.node_visits(), count * depth);
+  const Cycle lone = depth * (w.scene.pipelines.box + 1 + hit_latency) + w.scene.pipelines.box + 1;
+  // No idle cycle but for the latency of the last ray.
+  EXPECT_GE(w.misses.cycles.back() - 10, count * (depth + 1));
+  EXPECT_LE(w.misses.cycles.back() - 10, count * (depth + 1) + lone);
+}
+
+TEST(Traversal, TheNearerChildIsVisitedFirstAndTheOtherOneDroppedBehindTheHit) {
+  for (bool swapped : {false, true}) {
+    Walker w;
+    w.scene.triangle(false, 0, 5, 100);
+    w.scene.triangle(false, 1, 1, 101);
+    const CoreScene::Child near{leaf(0, 1, false), 5, 5}, far{leaf(1, 1, false), 1, 1};
+    w.scene.node(false, 0, swapped ? far : near, swapped ? near : far);
+    w.scene.root(false, inner(0, false));
+    w.scene.ray(0, 1, 1);
+    w.run(1);
+    EXPECT_EQ(w.scene.contexts[0].best_primitive, 100u);
+    EXPECT_EQ(counter(w.traversal, "leaves"), 1u);
+    EXPECT_EQ(counter(w.traversal, "dropped"), 1u);
+    // As a single leaf, and a step and a cycle for the entry that is dropped.
+    const Cycle box = w.scene.pipelines.box, triangle = w.scene.pipelines.triangle, fetch = 1 + hit_latency;
+    EXPECT_EQ(w.hits.cycles, std::vector<Cycle>{10 + box + fetch + box + 1 + fetch + triangle + 1 + 2});
+  }
+}
+
+TEST(Traversal, AStackEntryThatBeginsAtTheBestHitIsStillVisited) {
+  Walker w;
+  w.scene.triangle(false, 0, 5, 101);
+  w.scene.triangle(false, 1, 5, 100);  // the same plane, and the smaller number: it wins the tie
+  w.scene.node(false, 0, {leaf(0, 1, false), 5, 5}, {leaf(1, 1, false), 5, 5});
+  w.scene.root(false, inner(0, false));
+  w.scene.ray(0, 1, 1);
+  w.run(1);
+  EXPECT_EQ(w.scene.contexts[0].best_primitive, 100u);
+  EXPECT_EQ(counter(w.traversal, "dropped"), 0u);
+  EXPECT_EQ(w.intersection.tests(), 2u);
+}
+
+TEST(Traversal, BothTreesAreWalkedForTheNearestHit) {
+  for (float dynamic_z : {0.5f, 6.0f}) {
+    Walker w;
+    w.scene.triangle(false, 0, 3, 7);
+    w.scene.triangle(true, 0, dynamic_z, 8);
+    w.scene.root(false, leaf(0, 1, false));
+    w.scene.root(true, leaf(0, 1, true));
+    w.scene.ray(0, 1, 1);
+    w.run(1);
+    const bool dynamic = dynamic_z > 3;
+    EXPECT_EQ(w.scene.contexts[0].best_primitive, dynamic ? 8u : 7u);
+    EXPECT_EQ(w.scene.contexts[0].hit_class, dynamic ? HitClass::dynamic_geometry : HitClass::static_geometry);
+    EXPECT_EQ(w.scene.contexts[0].primary_t_bits, bits_of(dynamic ? 4.0f : 7.0f));
+  }
+}
+
+TEST(Traversal, ARayThatMissesTheDynamicRootBoxSkipsTheDynamicTree) {
+  Walker w;
+  two_leaves(w.scene);
+  w.scene.triangle(true, 0, 2, 8);
+  w.scene.root(true, leaf(0, 1, true), 50, 60);
+  w.scene.ray(0, 1, 1);
+  w.scene.ray(1, 51, 1);
+  w.run(2);
+  EXPECT_EQ(counter(w.traversal, "dynamic_skipped"), 1u);
+  EXPECT_EQ(w.hits.tokens.size(), 2u);
+  EXPECT_EQ(w.scene.contexts[0].hit_class, HitClass::static_geometry);
+}
+
+TEST(Traversal, AShadowRayEndsAtItsFirstHitWhereverItIs) {
+  Walker w;
+  w.scene.triangle(false, 0, 5, 100);
+  w.scene.triangle(false, 1, 6, 101);
+  // Overlapping boxes: the farther leaf would have to be visited by any other ray.
+  w.scene.node(false, 0, {leaf(0, 1, false), 0, 7}, {leaf(1, 1, false), 0, 7});
+  w.scene.root(false, inner(0, false));
+  w.scene.ray(0, 1, 1, RayKind::shadow);
+  w.scene.ray(1, 1, 1, RayKind::reflection);
+  w.run(2);
+  EXPECT_EQ(w.shadows.tokens, std::vector<Slot>{0});
+  EXPECT_EQ(w.hits.tokens, std::vector<Slot>{1});
+  EXPECT_EQ(w.intersection.tests(), 1u + 2u);
+  EXPECT_EQ(w.scene.contexts[1].best_primitive, 101u);
+  EXPECT_EQ(w.traversal.finished(RayKind::shadow), 1u);
+  EXPECT_EQ(w.traversal.finished(RayKind::reflection), 1u);
+}
+
+TEST(Traversal, WaitsForTheNodeCacheAndForFullOutputs) {
+  Walker w;
+  two_leaves(w.scene);
+  for (Slot slot : slots(64)) w.scene.ray(slot, slot % 2 == 0 ? 1.0f : 1000.0f, 1);
+  w.misses.open = [](Cycle now) { return now > 2000; };
+  w.node_memory.latency = [](const MemoryRequest&) -> Cycle { return 150; };
+  w.run(64);
+  EXPECT_EQ(w.hits.tokens.size(), 32u);
+  EXPECT_EQ(w.misses.tokens.size(), 32u);
+  EXPECT_GT(w.traversal.cycles_in(State::stall_out), 1000u);
+}
+
+}  // namespace
+}  // namespace artu::hw::test
