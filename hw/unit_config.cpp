@@ -15,6 +15,7 @@ void CacheConfig::visit(ParameterVisitor& v) {
   v.integer("ways", ways, {1, 64, true}, "", "associativity; at most size / line");
   v.integer("hit_latency", hit_latency, {1, 1000}, "cycles", "from a request's arrival to its data, on a hit");
   v.integer("mshrs", mshrs, {1, 1024}, "", "lines that can be outstanding at a time");
+  v.flag("hashed", hashed, "choose the set by a hash of the address, so that rows of a picture do not share sets");
   v.integer("targets", targets, {1, 1024}, "", "requests that can wait for one outstanding line");
 }
 

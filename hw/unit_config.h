@@ -20,6 +20,7 @@ struct CacheConfig {
   std::uint32_t hit_latency = 2;   // cycles from request to data
   std::uint32_t mshrs = 8;         // lines that can be outstanding
   std::uint32_t targets = 8;       // requests that can wait for one line
+  bool hashed = false;             // sets chosen by a hash of the address
   void visit(ParameterVisitor& v);
 };
 
@@ -44,7 +45,7 @@ struct SelectiveConfig {
   std::uint32_t step = 2;
   std::array<std::uint32_t, 8> table{1, 2, 4, 7, 11, 16, 22, 29};
   std::uint32_t tile = 16;         // pixels, edge of the tiles in which pixels are visited
-  CacheConfig pixel_cache{4096, 4, 2, 8, 8};
+  CacheConfig pixel_cache{4096, 4, 2, 8, 8, true};
   void visit(ParameterVisitor& v);
 };
 
@@ -64,7 +65,7 @@ struct DramConfig {
 struct MemoryConfig {
   std::uint32_t line = 64;               // bytes
   std::uint32_t interconnect_latency = 4;  // cycles each way between a core and the L2
-  CacheConfig l2{262144, 8, 10, 32, 16};
+  CacheConfig l2{262144, 8, 10, 32, 16, true};
   DramConfig dram;
   void visit(ParameterVisitor& v);
 };

@@ -10,7 +10,10 @@ constexpr std::uint64_t whole_line = ~std::uint64_t{0};
 }  // namespace
 
 Cache::Cache(sc_core::sc_module_name name, ClockDomain& domain, const CacheConfig& config)
-    : Block(name, domain), config_(config), sets_(config.size / line_bytes / config.ways) {
+    : Block(name, domain),
+      config_(config),
+      sets_(config.size / line_bytes / config.ways),
+      set_shift_(sets_ > 1 ? static_cast<unsigned>(__builtin_ctzll(sets_)) : 1) {
   lines_.resize(sets_ * config.ways);
   mshrs_.resize(config.mshrs);
   mshr_lines_.resize(config.mshrs);
@@ -37,8 +40,13 @@ void Cache::reset() {
   hits_ = misses_ = merged_ = fills_ = write_backs_ = reads_ = writes_ = 0;
 }
 
+std::size_t Cache::set_of(Address line) const {
+  const std::uint64_t index = line / line_bytes;
+  return (config_.hashed ? index ^ (index >> set_shift_) ^ (index >> (2 * set_shift_)) : index) & (sets_ - 1);
+}
+
 Cache::Line* Cache::find(Address line) {
-  Line* set = &lines_[((line / line_bytes) & (sets_ - 1)) * config_.ways];
+  Line* set = &lines_[set_of(line) * config_.ways];
   for (std::uint32_t way = 0; way < config_.ways; ++way) {
     if (set[way].tag == line) return &set[way];
   }
@@ -46,7 +54,7 @@ Cache::Line* Cache::find(Address line) {
 }
 
 Cache::Line* Cache::victim(Address line) {
-  Line* set = &lines_[((line / line_bytes) & (sets_ - 1)) * config_.ways];
+  Line* set = &lines_[set_of(line) * config_.ways];
   return std::min_element(set, set + config_.ways, [](const Line& a, const Line& b) { return a.used < b.used; });
 }
 

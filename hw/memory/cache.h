@@ -5,7 +5,7 @@
 // Latency: `hit_latency` from a request's arrival to its response (the response channel's latency).
 // Hit under miss: a miss waits in an MSHR while later requests go on; a second miss on the same line waits in
 // the same MSHR.  Stalls a client whose miss finds no MSHR (stall_mem) or whose response channel is full (stall_out).
-// LRU replacement.  A write of a whole line allocates without a fetch.
+// LRU replacement; with `hashed` the set is a hash of the line's address.  A write of a whole line allocates without a fetch.
 #pragma once
 
 #include <vector>
@@ -72,6 +72,7 @@ class Cache : public Block {
   bool flush();
   bool flush_step();
   bool anything_left() const;
+  std::size_t set_of(Address line) const;
   Line* find(Address line);
   Line* victim(Address line);
   bool install(Address line, bool dirty);
@@ -79,6 +80,7 @@ class Cache : public Block {
 
   const CacheConfig config_;
   const std::size_t sets_;  // a power of two
+  const unsigned set_shift_;
   std::vector<MemoryLink*> clients_;
   MemoryLink* below_ = nullptr;
   Fifo<CacheCommand>* flush_ = nullptr;

@@ -10,6 +10,7 @@
 #include <tiny_obj_loader.h>
 
 #include "sim/import/image.h"
+#include "sim/import/obj_check.h"
 #include "sim/import/resource_path.h"
 #include "sim/import/surface.h"
 #include "traces/error.h"
@@ -170,6 +171,7 @@ void check_finite(const std::vector<tinyobj::real_t>& v, std::size_t width, doub
 
 Model import_obj(const std::string& path, std::vector<std::string>& log) {
   const std::vector<std::uint8_t> bytes = read_file(path, max_obj);
+  check_obj_numbers({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
   std::istringstream text(std::string(bytes.begin(), bytes.end()));
   tinyobj::attrib_t attrib;
   std::vector<tinyobj::shape_t> shapes;

@@ -79,6 +79,21 @@ TEST_F(Obj, IndicesOutOfRange) {
               HasSubstr("normal 1 of 0"));
 }
 
+TEST_F(Obj, NumbersThatAreNone) {
+  const auto refused = [&](const std::string& line) {
+    return error_of(folder.write("scene.obj", std::string(square) + line + "\nf 1 2 3\n"));
+  };
+  for (const char* word : {"nan", "inf", "-inf", "1e999", "x", "1.5y", "0x10"}) {
+    EXPECT_THAT(refused(std::string("v 1 ") + word + " 0"), HasSubstr("scene.obj:5: ")) << word;
+    EXPECT_THAT(refused(std::string("vn 0 0 ") + word), HasSubstr("a finite number would be right")) << word;
+    EXPECT_THAT(refused(std::string("vt ") + word), HasSubstr("a finite number would be right")) << word;
+  }
+  EXPECT_THAT(refused("v 1 2"), HasSubstr("\"v\" with 2 numbers; at least 3"));
+  EXPECT_THAT(refused("vt"), HasSubstr("at least 1"));
+  // What is unusual and fine: a fourth coordinate, colours, tabs, signs, exponents, comments, carriage returns.
+  mesh("v\t+0 0. -0e0 1\r\nv 1 .0 0 0.5 0.5 0.5 # corner\n  v 0 1e0 1e-999\r\nf 1 2 3\n");
+}
+
 TEST_F(Obj, WithoutFaces) { EXPECT_THAT(error_of(folder.write("scene.obj", square)), HasSubstr("has no face")); }
 
 TEST(CreaseNormals, SmoothOverSmallBendsAndBreakAtSharpOnes) {
