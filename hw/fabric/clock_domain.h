@@ -28,7 +28,7 @@ class ClockDomain : public sc_core::sc_module {
   /// Stops the frame when no token has moved for this many cycles and no block is busy.  (An event-driven run
   /// need not wait so long: it is stuck when no block will ever be woken.)
   void set_watchdog(Cycle cycles) { watchdog_ = cycles; }
-  /// Whether the last frame ended because nothing moved any more.
+  /// Whether the watchdog ended the last frame.  (If every block sleeps for good, the frame just never finishes.)
   bool dead_locked() const { return dead_locked_; }
 
   /// Asks for a tick of the block in `cycle`, which is later than the present one.
@@ -37,7 +37,7 @@ class ClockDomain : public sc_core::sc_module {
   void set_clocked(bool clocked) { clocked_ = clocked; }
   void set_shuffle(bool shuffle, std::uint64_t seed);
 
-  /// Cycle 0 of a frame: resets all blocks and ticks each of them once.
+  /// Cycle 0 of a frame: resets all blocks; each is ticked in cycle 1.
   void begin_frame();
   void end_frame(Cycle cycle);
   /// Called by a block: the frame ends with the present cycle; no domain has another one until the next frame.

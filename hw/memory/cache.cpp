@@ -132,6 +132,8 @@ bool Cache::miss(std::size_t client, const MemoryRequest& request) {
     ++merged_;
     return true;
   }
+  // Answers of the memory below must never wait for this cache: it may itself wait to write a victim back.
+  if (busy_mshrs_ + outstanding_writes_ >= below_->response.capacity()) return false;
   if (request.bytes == whole_line) {
     Fifo<MemoryResponse>& response = clients_[client]->response;
     if (!response.can_push() || !install(request.line, true)) return false;

@@ -20,7 +20,8 @@ struct CacheCommand {};
 
 class Cache : public Block {
  public:
-  /// `below` must have room for `mshrs` responses: fills are never blocked.
+  /// No more fills and write-backs are outstanding than `below` has room for responses, so that the memory below can
+  /// always answer; twice `mshrs` is enough not to hold anything up.
   Cache(sc_core::sc_module_name name, ClockDomain& domain, const CacheConfig& config);
 
   /// Ports.

@@ -4,8 +4,9 @@
 // Out: a response for each request; for a write it says that the data are in memory.
 // Timing, in DRAM clocks: a request to the open row of a bank has its first data t_cl after its column command,
 // one to another row pays t_rp (where a row is open) and t_rcd before; a row stays open at least t_ras; a line
-// occupies its channel's data bus for line / (2 * bus_bits / 8) clocks.  First come, first served in each channel;
-// each accepts one request a clock while fewer than queue_depth are in flight.  Rows are left open.
+// occupies its channel's data bus for line / (2 * bus_bits / 8) clocks.  First come, first served in each channel.
+// One request is accepted and one answer given a clock; a request whose channel has queue_depth in flight waits, and
+// those behind it.  Rows are left open.
 // Not modelled: refresh, read/write turn-round, command-bus contention.
 #pragma once
 

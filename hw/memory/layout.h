@@ -29,6 +29,13 @@ struct NodeReference {
   static std::uint32_t count(std::uint32_t r) { return ((r >> 26) & 15) + 1; }
 };
 
+enum class TreeKind : std::uint32_t { bvh2, bvh4, bvh8, kd };
+
+/// Bytes of a node of this kind; its address is a multiple of this from the tree's base.
+inline std::uint32_t node_bytes(TreeKind kind) {
+  return kind == TreeKind::bvh8 ? 128 : kind == TreeKind::kd ? 16 : 64;
+}
+
 /// Binary BVH node: both children's boxes and references.
 struct alignas(64) NodeRecord {
   Vector lo[2], hi[2];
@@ -36,16 +43,36 @@ struct alignas(64) NodeRecord {
   std::uint32_t reserved[2];
 };
 
-/// Triangle in leaf order; what the intersection unit reads.
+/// Wide BVH node: the children's boxes as 8-bit steps of a power of two from an origin.  The decoded box
+/// (decoded_lo, decoded_hi in hw/datapath/node_visit.h) contains the child; 64 bytes with 4 children, 128 with 8.
+template <int Width>
+struct alignas(64) WideNodeRecord {
+  Vector origin;
+  std::uint8_t exponent[3];      // of the step on each axis, biased as in binary32: 1 ... 254
+  std::uint8_t count;            // children, 1 ... Width
+  std::uint8_t lo[3][Width], hi[3][Width];
+  std::uint32_t child[Width];
+};
+
+/// kd-tree node; four lie in a line.  A child is `none` where its cell is empty.
+struct alignas(16) KdNodeRecord {
+  float split;
+  std::uint32_t axis;       // 0 ... 2: child 0 is below the plane, child 1 above; `both`: the children share the cell
+  std::uint32_t child[2];
+  static constexpr std::uint32_t both = 3;  // for leaves with more triangles than a reference can count
+};
+
+/// Triangle in leaf order; what the intersection unit reads.  A kd-tree has one for each leaf that refers to it.
 struct alignas(64) TriangleRecord {
   Vector a, b, c;
   std::uint32_t primitive;  // global id
   std::uint32_t material;
   std::uint32_t color[3];   // of the vertices: linear R, G, B, A codes
-  std::uint32_t reserved[2];
+  std::uint32_t attributes; // index of its AttributeRecord
+  std::uint32_t reserved;
 };
 
-/// Attributes of the triangle with the same index; what the hit-point unit reads.
+/// Attributes of a triangle; what the hit-point unit reads.
 struct alignas(64) AttributeRecord {
   Vector normal[3];
   float uv[3][2];
@@ -82,6 +109,7 @@ struct alignas(64) LightRecord {
 /// What the control unit reads at the start of a frame.
 struct alignas(64) FrameDescriptor {
   std::uint32_t width, height;
+  TreeKind static_kind, dynamic_kind;
   std::uint32_t static_root, dynamic_root;  // NodeReference; none = empty
   Vector static_lo, static_hi, dynamic_lo, dynamic_hi;
   Address static_nodes, dynamic_nodes;
@@ -93,12 +121,15 @@ struct alignas(64) FrameDescriptor {
   Address build_input, build_scratch;
   std::uint32_t pitch;   // pixels, a multiple of 64
   std::uint32_t light_count;
-  std::uint32_t dynamic_triangle_count, dynamic_node_count;
+  std::uint32_t dynamic_triangle_count;
+  std::uint32_t dynamic_reference_count;  // triangle records: more than triangles in a kd-tree
+  std::uint32_t dynamic_node_count;
   std::uint32_t dynamic_moved;
   CameraRegisters camera;
   Vector ambient, sky_nadir, sky_zenith;
 };
 
+static_assert(sizeof(WideNodeRecord<4>) == 64 && sizeof(WideNodeRecord<8>) == 128 && sizeof(KdNodeRecord) == 16);
 static_assert(sizeof(NodeRecord) == 64 && sizeof(TriangleRecord) == 64 && sizeof(AttributeRecord) == 64);
 static_assert(sizeof(MaterialRecord) == 128 && sizeof(LightRecord) == 64);
 

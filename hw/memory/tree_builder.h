@@ -5,7 +5,8 @@
 // once and a 16-byte reference of each is written; at every level whose subtrees do not fit on chip the references are
 // read and written again; then nodes, triangles and attributes are written in the tree's order.
 // Time: `cycles_per_triangle` for each triangle at each of ceil(log2(n)) levels, overlapped with the level's traffic,
-// of which one line a cycle is issued with at most `outstanding` in flight.
+// of which one line a cycle is issued with at most `outstanding` in flight, from one cycle after the level begins; the
+// first step (references) computes one cycle a triangle.
 // Stalls: stall_mem when a level's computing is done and its traffic is not.
 #pragma once
 

@@ -2,7 +2,7 @@
 //
 // In:  rays with a hit, from traversal; the triangle and its attributes, two lines, through the triangle cache.
 // Out: contexts to shading.
-// Latency: `hit_point` from the second line's arrival.  Initiation interval 1: one request and one hit a cycle.
+// Latency: `hit_point` from the second line's arrival.  One request a cycle, two a hit: initiation interval 2.
 // Stalls: stall_mem when lines are awaited or the cache takes no request.  The output never fills.
 #pragma once
 

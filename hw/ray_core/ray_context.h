@@ -9,6 +9,7 @@
 
 #include "hw/datapath/shading.h"
 #include "hw/datapath/texture.h"
+#include "hw/fabric/timeline.h"
 #include "hw/pixel_record.h"
 
 namespace artu::hw {
@@ -69,6 +70,7 @@ struct RayContext {
   Vector contribution;  // of the light whose shadow ray is in flight
   std::array<PendingRay, maximum_depth + 2> pending;
   std::uint32_t pending_count = 0;
+  Cycle finish_at = 0;  // when the pixel's last sum leaves the pipeline
 
   // The primary ray's hit, for the pixel's hit class and record.
   HitClass hit_class = HitClass::miss;

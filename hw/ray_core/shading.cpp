@@ -127,13 +127,14 @@ void Shading::lights(Slot slot, Cycle now, std::uint32_t latency) {
                                                   next.reflection_weight, RayKind::reflection, depth};
     }
   }
-  next_ray(slot, latency + pipelines_.next_ray);
+  next_ray(slot, now, latency + pipelines_.next_ray);
 }
 
 /// The next ray of the pixel, or its end.
-void Shading::next_ray(Slot slot, std::uint32_t latency) {
+void Shading::next_ray(Slot slot, Cycle now, std::uint32_t latency) {
   RayContext& context = contexts_[slot];
   if (context.pending_count == 0) {
+    context.finish_at = now + latency;
     finish_queue_.push(slot);
     return;
   }
@@ -203,7 +204,7 @@ Activity Shading::tick(Cycle now) {
       context.sum = context.sum + context.weight * sky(registers_.shading, context.ray.direction);
       ++sky_;
       shader_free_ = now + 1;
-      next_ray(slot, pipelines_.accumulate);
+      next_ray(slot, now, pipelines_.accumulate);
       moved = true;
     } else if (!shade_queue_.empty()) {
       const Slot slot = shade_queue_.front();
@@ -212,8 +213,9 @@ Activity Shading::tick(Cycle now) {
       moved = true;
     }
   }
-  // (5) Finished pixels leave.
-  if (!finish_queue_.empty()) {
+  // (5) Finished pixels leave, in order.
+  const bool leaving = !finish_queue_.empty() && contexts_[finish_queue_.front()].finish_at <= now;
+  if (leaving) {
     if (finish_pixel()) {
       moved = true;
     } else {
@@ -225,6 +227,7 @@ Activity Shading::tick(Cycle now) {
     return {State::busy, shader_free_};
   }
   if (blocked_out) return {State::stall_out};
+  if (!finish_queue_.empty() && !leaving) return {State::busy, contexts_[finish_queue_.front()].finish_at};
   if (blocked_mem || outstanding_ != 0) return {State::stall_mem};
   return {State::stall_in};
 }

@@ -3,9 +3,10 @@
 // In:  surfaces from hit_point; misses and finished shadow rays from traversal; material and texels, in lines,
 //      through the texture cache.
 // Out: contexts with a ray to set up, to the ray generator; finished pixels to the frame writer; freed contexts.
-// Latency: `texture` + `light` from the last line to the first shadow ray; `light` from one light to the next;
-// `next_ray` to a reflection or refraction ray.  Initiation interval: one cycle a light that is looked at, at least one;
-// one line request a cycle.
+// Latency to the next ray's set-up, with 1 for the channel: from a hit's last line `texture` + `accumulate`, from a
+// shadow ray's return `accumulate`; then `light` and 1 for each light that is looked at; then, where no light sends a
+// shadow ray, `next_ray`.  From a miss `accumulate`.  A pixel leaves after the same.
+// Initiation interval: one cycle a light that is looked at, at least one; one line request a cycle, and two a material.
 // Stalls: stall_mem when lines are awaited or the cache takes no request, stall_out when the frame writer is full.
 #pragma once
 
@@ -75,7 +76,7 @@ class Shading : public Block {
   bool finish_pixel();
   void shade(Slot slot, Cycle now);
   void lights(Slot slot, Cycle now, std::uint32_t latency);
-  void next_ray(Slot slot, std::uint32_t latency);
+  void next_ray(Slot slot, Cycle now, std::uint32_t latency);
   Vector texture_of(const RayContext& context, const MaterialRecord& material) const;
 
   const FrameRegisters& registers_;

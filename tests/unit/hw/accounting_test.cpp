@@ -81,6 +81,49 @@ TEST(Accounting, WaitingIsIdleInAPhaseInWhichTheBlockHasNoPart) {
   EXPECT_EQ(cycle_classes(wire.sink), (Classes{1, 9, 0, 0, 90}));
 }
 
+/// Busy in cycle 7, and from then on waiting for memory, without being ticked again.
+class Once : public Block {
+ public:
+  using Block::Block;
+  void reset() override {}
+
+ private:
+  Activity tick(Cycle now) override {
+    if (now < 7) return {State::stall_in, 7};
+    return now == 7 ? Activity::once(State::busy, State::stall_mem) : Activity(State::stall_mem);
+  }
+};
+
+TEST(Accounting, ABlockMaySayWhatFollowsACycle) {
+  for (bool clocked : {false, true}) {
+    Bench bench;
+    const auto& once = bench.block<Once>("once");
+    bench.clock.set_clocked(clocked);
+    bench.run(100);
+    EXPECT_EQ(cycle_classes(once), (Classes{1, 6, 0, 92, 1}));
+  }
+}
+
+TEST(RoundRobin, FlagsSayWhomToAskAndNothingElse) {
+  for (std::size_t count : {1u, 3u, 64u, 65u, 200u}) {
+    RoundRobin plain, flagged;
+    std::vector<std::uint64_t> flags(count / 64 + 1);
+    for (std::uint64_t step = 0; step < 500; ++step) {
+      const auto waits = [step](std::size_t i) { return (i * 7919 + step * 104729) % 11 < 2; };
+      const auto wants = [step](std::size_t i) { return (i * 31 + step) % 3 != 0; };
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::uint64_t bit = std::uint64_t{1} << (i % 64);
+        flags[i / 64] = waits(i) ? flags[i / 64] | bit : flags[i / 64] & ~bit;
+      }
+      const std::size_t expected = plain.pick(count, [&](std::size_t i) { return waits(i) && wants(i); });
+      ASSERT_EQ(flagged.pick(flags, count, wants), expected) << count << " at step " << step;
+      if (expected == count) continue;
+      plain.granted(expected, count);
+      flagged.granted(expected, count);
+    }
+  }
+}
+
 TEST(RoundRobin, TheOneAfterTheLastGrantedComesFirst) {
   RoundRobin arbiter;
   const auto all = [](std::size_t) { return true; };

@@ -135,6 +135,20 @@ TEST(Cache, AWorkingSetOfAllWaysIsMissedOnceAndOneMoreLineIsMissedAlways) {
   EXPECT_EQ(fetched(bad, thrashes).size(), 50u);
 }
 
+TEST(Cache, AHashSpreadsLinesThatWouldShareASet) {
+  // Eight lines, a cache's size apart: one set of two ways without the hash, all four sets with it.
+  for (bool hashed : {false, true}) {
+    CacheConfig config = small();
+    config.hashed = hashed;
+    CacheBench b(config);
+    std::vector<std::uint32_t> pattern;
+    for (int round = 0; round < 2; ++round) {
+      for (std::uint32_t k = 7; k < 15; ++k) pattern.push_back(k);
+    }
+    EXPECT_EQ(fetched(b, pattern).size(), hashed ? 8u : 16u);
+  }
+}
+
 TEST(Cache, AStreamMissesOnceALine) {
   CacheBench b(small(2, 4, 4));
   for (std::uint32_t i = 0; i < 256; ++i) b.client().requests.push_at(1 + 30 * i, read_of(4096 + i / 4 * 64));

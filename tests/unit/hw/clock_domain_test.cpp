@@ -48,6 +48,17 @@ TEST(ClockDomain, KeepsFarWakesOfManyBlocksApart) {
   }
 }
 
+TEST(ClockDomain, KeepsAWakeAtTheEdgeOfTheWheelWhenAnotherOneComesOntoIt) {
+  for (Cycle ahead : {255, 256, 257}) {
+    Bench bench;
+    const auto& near = bench.block<Alarm>("near", std::vector<Cycle>{1000});
+    const auto& far = bench.block<Alarm>("far", std::vector<Cycle>{1000 + ahead});
+    bench.run(3000);
+    EXPECT_EQ(near.rang, (std::vector<Cycle>{1, 1000}));
+    EXPECT_EQ(far.rang, (std::vector<Cycle>{1, 1000 + ahead}));
+  }
+}
+
 TEST(ClockDomain, ASleepingBlockCostsNoTicks) {
   Bench bench;
   bench.block<Alarm>("alarm", std::vector<Cycle>{1000, 100000});
@@ -86,9 +97,8 @@ std::vector<std::vector<std::uint64_t>> chain(bool clocked, bool shuffle) {
   bench.clock.set_clocked(clocked);
   bench.clock.set_shuffle(shuffle, 99);
   bench.run(4000);
-  return {source.pushed,          memory.cycles,          sink.cycles,
-          drain.cycles,           other.pushed,           cycle_classes(source),
-          cycle_classes(memory),  cycle_classes(sink),    cycle_classes(drain)};
+  return {source.pushed,         memory.cycles,         sink.cycles,         drain.cycles,        other.pushed,
+          cycle_classes(source), cycle_classes(memory), cycle_classes(sink), cycle_classes(drain)};
 }
 
 TEST(ClockDomain, EventModeAndClockedModeGiveTheSameTrace) {

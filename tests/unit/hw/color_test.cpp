@@ -12,9 +12,7 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-long double curve(long double c) {
-  return c <= 0.04045L ? c / 12.92L : std::pow((c + 0.055L) / 1.055L, 2.4L);
-}
+long double curve(long double c) { return c <= 0.04045L ? c / 12.92L : std::pow((c + 0.055L) / 1.055L, 2.4L); }
 
 TEST(Color, DecodeIsTheNearestToTheCurve) {
   for (std::uint32_t code = 0; code < 256; ++code) {
@@ -72,7 +70,7 @@ void expect_texel(Texel t, std::uint32_t first, std::uint32_t second, float weig
 
 TEST(Texture, InsideAllWrapsAreTheSame) {
   for (TextureWrap wrap : {TextureWrap::repeat, TextureWrap::clamp, TextureWrap::mirror}) {
-    expect_texel(at(wrap, 4, 0.375f), 1, 2, 0.0f);   // the centre of texel 1
+    expect_texel(at(wrap, 4, 0.375f), 1, 2, 0.0f);  // the centre of texel 1
     expect_texel(at(wrap, 4, 0.5f), 1, 2, 0.5f);
     expect_texel(at(wrap, 8, 0.53125f), 3, 4, 0.75f);
   }
@@ -93,7 +91,7 @@ TEST(Texture, ClampStaysAtTheEdge) {
 }
 
 TEST(Texture, MirrorGoesBack) {
-  expect_texel(at(TextureWrap::mirror, 4, 1.625f), 1, 2, 0.0f);   // as 0.375
+  expect_texel(at(TextureWrap::mirror, 4, 1.625f), 1, 2, 0.0f);  // as 0.375
   expect_texel(at(TextureWrap::mirror, 4, -0.375f), 1, 2, 0.0f);
   expect_texel(at(TextureWrap::mirror, 4, 2.375f), 1, 2, 0.0f);
   expect_texel(at(TextureWrap::mirror, 4, 1.0f), 3, 3, 0.5f);

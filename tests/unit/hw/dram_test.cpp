@@ -131,8 +131,8 @@ TEST(Dram, AcceptsNoMoreThanTheQueueHolds) {
   for (std::uint32_t i = 0; i < 4; ++i) m.client.requests.push_at(9, read_of(64 * i, i));
   const Cycle first = 10 + 29 + 28 + burst;
   // The third is accepted when the first is answered, the fourth when the second is; open row, column command then.
-  EXPECT_EQ(m.run(), (std::vector<Cycle>{first + 1, first + burst + 1, first + 28 + burst + 1,
-                                         first + 28 + 2 * burst + 1}));
+  EXPECT_EQ(m.run(),
+            (std::vector<Cycle>{first + 1, first + burst + 1, first + 28 + burst + 1, first + 28 + 2 * burst + 1}));
 }
 
 TEST(Dram, OneRequestAtATimePaysTheColumnLatencyEachTime) {

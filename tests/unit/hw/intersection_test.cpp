@@ -42,8 +42,7 @@ TEST(Intersection, ALeafTakesOneFetchACycleAndTheTestOfItsLastTriangle) {
     t.source.push_at(9, {0, NodeReference::leaf(0, n, false)});
     t.bench.run(500);
     // Arrival 10, fetches 10 ... 10 + n - 1, the last one's data after request channel and cache.
-    EXPECT_EQ(t.sink.cycles,
-              std::vector<Cycle>{10 + n - 1 + 1 + hit_latency + t.scene.pipelines.triangle});
+    EXPECT_EQ(t.sink.cycles, std::vector<Cycle>{10 + n - 1 + 1 + hit_latency + t.scene.pipelines.triangle});
     EXPECT_EQ(t.intersection.tests(), n);
     EXPECT_EQ(t.scene.contexts[0].best_primitive, 100u) << "the nearest";
     EXPECT_EQ(t.scene.contexts[0].best_triangle, 0u);

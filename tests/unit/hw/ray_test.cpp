@@ -61,10 +61,10 @@ TEST(Ray, TheLargestComponentIsTheAxisAndTheFirstOneOnATie) {
     Vector direction;
     int kx, ky, kz;
   };
-  for (const Case& c : {Case{{1, 0, 0}, 1, 2, 0}, Case{{0, 1, 0}, 2, 0, 1}, Case{{0, 0, 1}, 0, 1, 2},
-                        Case{{-1, 0, 0}, 2, 1, 0}, Case{{0, -1, 0}, 0, 2, 1}, Case{{0, 0, -1}, 1, 0, 2},
-                        Case{{1, 1, 1}, 1, 2, 0}, Case{{-1, 1, 1}, 2, 1, 0}, Case{{1, 2, -2}, 2, 0, 1},
-                        Case{{1, -2, 2}, 0, 2, 1}, Case{{1, 2, -3}, 1, 0, 2}}) {
+  for (const Case& c :
+       {Case{{1, 0, 0}, 1, 2, 0}, Case{{0, 1, 0}, 2, 0, 1}, Case{{0, 0, 1}, 0, 1, 2}, Case{{-1, 0, 0}, 2, 1, 0},
+        Case{{0, -1, 0}, 0, 2, 1}, Case{{0, 0, -1}, 1, 0, 2}, Case{{1, 1, 1}, 1, 2, 0}, Case{{-1, 1, 1}, 2, 1, 0},
+        Case{{1, 2, -2}, 2, 0, 1}, Case{{1, -2, 2}, 0, 2, 1}, Case{{1, 2, -3}, 1, 0, 2}}) {
     const Ray ray = ray_from({}, c.direction);
     EXPECT_EQ(ray.kx, c.kx);
     EXPECT_EQ(ray.ky, c.ky);
@@ -103,8 +103,8 @@ TEST(Ray, PrimaryRaysGoThroughPixelCentres) {
 TEST(Box, TheIntervalIsFromTheLastEntryToTheFirstExitPadded) {
   const Ray ray = ray_from({0, 0, 0}, {1, 0.5f, 0.25f});
   const Interval box = box_interval(ray, {1, 1, 0}, {4, 3, 8});
-  EXPECT_EQ(box.enter, 2.0f);                      // y enters at 1 / 0.5
-  EXPECT_EQ(box.exit, 4.0f * (1.0f + 0x1p-21f));   // x leaves at 4
+  EXPECT_EQ(box.enter, 2.0f);                     // y enters at 1 / 0.5
+  EXPECT_EQ(box.exit, 4.0f * (1.0f + 0x1p-21f));  // x leaves at 4
   const Ray back = ray_from({5, 2, 1}, {-1, 0, 0});
   EXPECT_EQ(box_interval(back, {1, 1, 0}, {4, 3, 8}).enter, 1.0f);
   EXPECT_EQ(box_interval(back, {1, 1, 0}, {4, 3, 8}).exit, 4.0f * (1.0f + 0x1p-21f));

@@ -51,16 +51,15 @@ TEST(SelectiveMath, AProportionalMoveGrowsWithTheDifference) {
 TEST(SelectiveMath, AProgressiveMoveIsThatOfTheTable) {
   SelectiveConfig config = with(Magnitude::progressive, 100, 77);
   config.table = {1, 2, 4, 8, 16, 32, 64, 90};
-  EXPECT_EQ(thresholds(config), (std::vector<int>{190, 164, 132, 116, 108, 104, 102, 101, 100, 99, 98, 96, 92, 84, 68,
-                                                  36, 10}));
+  EXPECT_EQ(thresholds(config),
+            (std::vector<int>{190, 164, 132, 116, 108, 104, 102, 101, 100, 99, 98, 96, 92, 84, 68, 36, 10}));
 }
 
 TEST(SelectiveMath, TheResultIsClamped) {
   SelectiveConfig config = with(Magnitude::proportional, 16, 4);
   config.minimum = 6;
   config.maximum = 30;
-  EXPECT_EQ(thresholds(config),
-            (std::vector<int>{30, 30, 30, 30, 30, 28, 24, 20, 16, 12, 8, 6, 6, 6, 6, 6, 6}));
+  EXPECT_EQ(thresholds(config), (std::vector<int>{30, 30, 30, 30, 30, 28, 24, 20, 16, 12, 8, 6, 6, 6, 6, 6, 6}));
   config = with(Magnitude::proportional, 250, 255);
   EXPECT_EQ(thresholds(config).front(), 255);
   EXPECT_EQ(thresholds(config).back(), 0);

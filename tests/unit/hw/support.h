@@ -188,7 +188,9 @@ class ScriptedMemory : public Block {
 std::vector<Cycle> every(Cycle first, std::size_t count, Cycle step = 1);
 
 inline MemoryRequest read_of(Address line, std::uint32_t tag = 0) { return {line, 0, tag, 0}; }
-inline MemoryRequest write_of(Address line, std::uint64_t bytes, std::uint32_t tag = 0) { return {line, bytes, tag, 0}; }
+inline MemoryRequest write_of(Address line, std::uint64_t bytes, std::uint32_t tag = 0) {
+  return {line, bytes, tag, 0};
+}
 inline constexpr std::uint64_t whole_line = ~std::uint64_t{0};
 
 }  // namespace artu::hw::test

@@ -44,8 +44,8 @@ void expect_each_once(std::uint32_t width, std::uint32_t height, std::uint32_t t
     for (std::uint32_t y = 0; y < height; ++y) {
       for (std::uint32_t x = 0; x < width; ++x) {
         const bool of_grid = x % g.dx == g.x0 % g.dx && x >= g.x0 && y % g.dy == g.y0 % g.dy && y >= g.y0;
-        ASSERT_EQ(count[y * width + x], of_grid ? 1 : 0)
-            << width << "x" << height << " tile " << tile << " grid " << g.x0 << g.dx << g.y0 << g.dy << ": " << x << "," << y;
+        ASSERT_EQ(count[y * width + x], of_grid ? 1 : 0) << width << "x" << height << " tile " << tile << " grid "
+                                                         << g.x0 << g.dx << g.y0 << g.dy << ": " << x << "," << y;
       }
     }
     ASSERT_EQ(walk.pixels(), pixels.size());
@@ -68,7 +68,8 @@ TEST(TileWalk, VisitsEachPixelOnceInLargeImages) {
 }
 
 TEST(TileWalk, EverySelectivePixelIsInExactlyOnePass) {
-  for (const auto& [width, height] : {std::pair<std::uint32_t, std::uint32_t>{1, 1}, {3, 5}, {16, 16}, {33, 7}, {2, 9}}) {
+  for (const auto& [width, height] :
+       {std::pair<std::uint32_t, std::uint32_t>{1, 1}, {3, 5}, {16, 16}, {33, 7}, {2, 9}}) {
     std::vector<int> count(std::size_t{width} * height);
     for (const TileWalk& walk :
          {TileWalk(width, height, 8, 0, 2, 0, 2), CandidatePixelExtractor::walk(1, width, height, 8),

@@ -41,7 +41,7 @@ TEST(WriteBack, TrafficIsFillsAndWriteBacks) {
 
 // A fill whose victim is dirty waits for room in the request channel; acknowledgements of write-backs, of which there
 // is no limit, fill the response channel behind it, so that no channel of the DRAM can answer any more.
-TEST(WriteBack, DISABLED_AFillWithADirtyVictimIsNotBlockedForEverByAcknowledgements) {
+TEST(WriteBack, AFillWithADirtyVictimIsNotBlockedForEverByAcknowledgements) {
   DramConfig dram;
   dram.queue_depth = 2;
   System s({4096, 1, 2, 1, 4}, dram);  // one MSHR: request and response channel of two entries
