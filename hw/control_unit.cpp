@@ -46,11 +46,21 @@ bool ControlUnit::fetch() {
 void ControlUnit::enter(Phase phase, Cycle now) {
   const std::uint64_t elapsed = now - phase_began_;
   switch (phase_) {
-    case phase_start: cycles_start_ += elapsed; break;
-    case phase_build: cycles_build_ += elapsed; break;
-    case phase_first: cycles_first_ += elapsed; break;
-    case phase_selective: cycles_selective_ += elapsed; break;
-    case phase_flush: cycles_flush_ += elapsed; break;
+    case phase_start:
+      cycles_start_ += elapsed;
+      break;
+    case phase_build:
+      cycles_build_ += elapsed;
+      break;
+    case phase_first:
+      cycles_first_ += elapsed;
+      break;
+    case phase_selective:
+      cycles_selective_ += elapsed;
+      break;
+    case phase_flush:
+      cycles_flush_ += elapsed;
+      break;
   }
   phase_ = phase;
   phase_began_ = now;
@@ -131,13 +141,14 @@ void ControlUnit::report(Statistics& out) const {
   out.push_back({block, "cycles_start", cycles_start_, "cycles", "phase: descriptor and lights are read"});
   out.push_back({block, "cycles_build", cycles_build_, "cycles", "phase: the dynamic tree is built"});
   out.push_back({block, "cycles_first", cycles_first_, "cycles", "phase: sampling pixels are traced"});
-  out.push_back({block, "cycles_selective", cycles_selective_, "cycles", "phase: candidates are interpolated or traced"});
+  out.push_back(
+      {block, "cycles_selective", cycles_selective_, "cycles", "phase: candidates are interpolated or traced"});
   out.push_back({block, "cycles_flush", cycles_flush_, "cycles", "phase: the frame is written back to DRAM"});
 }
 
 std::string ControlUnit::describe() const {
-  static const char* const names[] = {"reads the descriptor", "waits for the tree builder", "waits for the end of pass ",
-                                      "waits for the write-back", "finished"};
+  static const char* const names[] = {"reads the descriptor", "waits for the tree builder",
+                                      "waits for the end of pass ", "waits for the write-back", "finished"};
   std::string text = names[static_cast<std::size_t>(step_)];
   if (step_ == Step::pass) text += std::to_string(pass_);
   return text;

@@ -10,8 +10,8 @@
 #include "hw/fabric/memory_port.h"
 #include "hw/frame_registers.h"
 #include "hw/memory/cache.h"
-#include "hw/memory/image.h"
 #include "hw/memory/frame_writer.h"
+#include "hw/memory/image.h"
 #include "hw/memory/tree_builder.h"
 #include "hw/selective/tokens.h"
 

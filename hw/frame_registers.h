@@ -4,13 +4,11 @@
 #include <vector>
 
 #include "hw/datapath/shading.h"
+#include "hw/fabric/phase.h"
 #include "hw/memory/layout.h"
 #include "hw/pixel_record.h"
 
 namespace artu::hw {
-
-/// Phases of a frame, as bits: which blocks have a part in what is going on.
-enum Phase : unsigned { phase_start = 1, phase_build = 2, phase_first = 4, phase_selective = 8, phase_flush = 16 };
 
 struct FrameRegisters {
   FrameDescriptor descriptor{};

@@ -10,7 +10,8 @@ class Laws {
  public:
   explicit Laws(std::vector<std::string>& violations) : violations_(violations) {}
   void equal(const std::string& left, std::uint64_t a, const std::string& right, std::uint64_t b) {
-    if (a != b) violations_.push_back(left + " (" + std::to_string(a) + ") != " + right + " (" + std::to_string(b) + ")");
+    if (a != b)
+      violations_.push_back(left + " (" + std::to_string(a) + ") != " + right + " (" + std::to_string(b) + ")");
   }
 
  private:

@@ -17,10 +17,10 @@ struct PixelRecord {
   std::uint8_t n_static = 0, n_dynamic = 0;
   std::int16_t threshold = -1, difference = -1;  // 8-bit codes; -1 where there is none
   Decision decision = Decision::sampled;
-  std::uint8_t r = 0, g = 0, b = 0;              // sRGB codes
-  std::uint8_t written = 0;                      // times the frame buffer pixel was written: must be 1
-  std::int64_t primitive = -1;                   // of the primary ray, or -1
-  std::uint32_t t_bits = 0;                      // bits of the primary hit's t; 0 without a hit
+  std::uint8_t r = 0, g = 0, b = 0;  // sRGB codes
+  std::uint8_t written = 0;          // times the frame buffer pixel was written: must be 1
+  std::int64_t primitive = -1;       // of the primary ray, or -1
+  std::uint32_t t_bits = 0;          // bits of the primary hit's t; 0 without a hit
 };
 
 /// Row by row, width * height.

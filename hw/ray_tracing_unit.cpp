@@ -8,9 +8,7 @@ namespace {
 constexpr std::uint32_t frame_writer_entries = 16;
 constexpr std::uint32_t job_depth = 8;
 
-Tick period_of(std::uint32_t own_mhz, std::uint32_t other_mhz) {
-  return other_mhz / std::gcd(own_mhz, other_mhz);
-}
+Tick period_of(std::uint32_t own_mhz, std::uint32_t other_mhz) { return other_mhz / std::gcd(own_mhz, other_mhz); }
 }  // namespace
 
 RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& config, const RunMode& mode,
@@ -54,8 +52,7 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
       pixel_reads_("pixel_reads", 4, 1, config.selective.pixel_cache.hit_latency),
       pixel_misses_("pixel_misses", config.selective.pixel_cache.mshrs, config.memory.interconnect_latency,
                     config.memory.interconnect_latency),
-      descriptor_reads_("descriptor_reads", 4, config.memory.interconnect_latency,
-                        config.memory.interconnect_latency),
+      descriptor_reads_("descriptor_reads", 4, config.memory.interconnect_latency, config.memory.interconnect_latency),
       frame_writes_("frame_writes", 4, config.memory.interconnect_latency, config.memory.interconnect_latency),
       builder_link_("builder", config.tree_builder.outstanding, config.memory.interconnect_latency,
                     config.memory.interconnect_latency),
@@ -83,6 +80,11 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
     domain->set_shuffle(mode.shuffle, mode.seed);
   }
   clock.set_watchdog(config.watchdog);
+  each_block([this](Block& block) {
+    for (const LogRule& rule : mode_.log) {
+      if (fits(rule, block.path())) block.log_to(rule.level, mode_.log_sink);
+    }
+  });
 }
 
 RayTracingUnit::~RayTracingUnit() = default;
@@ -105,8 +107,8 @@ void RayTracingUnit::bind_memory() {
   l2.bind_below(dram_link_);
   l2.bind_flush(flush_, flushed_);
   dram.bind(dram_link_);
-  for (MemoryLink* link : {&pixel_reads_, &pixel_misses_, &descriptor_reads_, &frame_writes_, &builder_link_, &l2_link_,
-                           &dram_link_}) {
+  for (MemoryLink* link :
+       {&pixel_reads_, &pixel_misses_, &descriptor_reads_, &frame_writes_, &builder_link_, &l2_link_, &dram_link_}) {
     channels_.push_back(&link->request);
     channels_.push_back(&link->response);
   }
@@ -126,9 +128,9 @@ void RayTracingUnit::bind_selective() {
   collision_counter.bind(extracted_, counted_);
   threshold_adjuster.bind(counted_, adjusted_);
   render_executor.bind(adjusted_, interpolated_, traced_jobs_);
-  for (Channel* channel : std::initializer_list<Channel*>{&first_command_, &extract_command_, &sampling_jobs_,
-                                                          &extracted_, &counted_, &adjusted_, &interpolated_,
-                                                          &traced_jobs_}) {
+  for (Channel* channel :
+       std::initializer_list<Channel*>{&first_command_, &extract_command_, &sampling_jobs_, &extracted_, &counted_,
+                                       &adjusted_, &interpolated_, &traced_jobs_}) {
     channels_.push_back(channel);
   }
 }
@@ -212,13 +214,13 @@ FrameResult RayTracingUnit::run(Address descriptor, PixelRecords* records) {
   clock.end_frame(result.cycles);
   dram_clock.end_frame(result.cycles * unit_period_ / dram_period_);
   each_block([&](Block& block) {
-    static const char* const names[state_count] = {"busy", "stall_in", "stall_out", "stall_mem", "idle"};
-    static const char* const texts[state_count] = {
-        "worked, or had work in its pipeline", "starved: no input", "blocked by a full channel", "waited for memory",
-        "no part in this phase of the frame"};
+    static const char* const texts[state_count] = {"worked, or had work in its pipeline", "starved: no input",
+                                                   "blocked by a full channel", "waited for memory",
+                                                   "no part in this phase of the frame"};
     const std::string unit = &block == &dram ? "DRAM clocks" : "cycles";
     for (std::size_t s = 0; s < state_count; ++s) {
-      result.statistics.push_back({block.path(), names[s], block.cycles_in(static_cast<State>(s)), unit, texts[s]});
+      result.statistics.push_back(
+          {block.path(), state_name(static_cast<State>(s)), block.cycles_in(static_cast<State>(s)), unit, texts[s]});
     }
     block.report(result.statistics);
   });
@@ -231,14 +233,21 @@ void RayTracingUnit::each_block(const std::function<void(Block&)>& visit) {
   for (Block* block : dram_clock.blocks()) visit(*block);
 }
 
+std::vector<std::string> RayTracingUnit::block_paths() const {
+  std::vector<std::string> paths;
+  for (const ClockDomain* domain : timeline_.domains) {
+    for (const Block* block : domain->blocks()) paths.push_back(block->path());
+  }
+  return paths;
+}
+
 std::string RayTracingUnit::picture_of_dead_lock() const {
-  static const char* const names[state_count] = {"busy", "stall_in", "stall_out", "stall_mem", "idle"};
   std::string text = "dead-lock in cycle " + std::to_string(clock.now()) + ": no token moves\n";
   for (const ClockDomain* domain : timeline_.domains) {
     for (const Block* block : domain->blocks()) {
       const std::string detail = block->describe();
       if (block->state() == State::idle && detail.empty()) continue;
-      text += "  " + block->path() + ": " + names[static_cast<std::size_t>(block->state())];
+      text += "  " + block->path() + ": " + state_name(block->state());
       if (!detail.empty()) text += "; " + detail;
       text += "\n";
     }

@@ -21,7 +21,7 @@
 namespace artu::hw {
 
 struct FrameResult {
-  Cycle cycles = 0;                     // of the unit's clock
+  Cycle cycles = 0;  // of the unit's clock
   bool dead_locked = false;
   std::string picture;                  // dead-lock: who waits for whom
   std::vector<std::string> violations;  // of the accounting laws
@@ -36,6 +36,9 @@ class RayTracingUnit : public sc_core::sc_module {
 
   /// Renders the frame whose descriptor lies at `descriptor`.  `records` (width * height) may be null.
   FrameResult run(Address descriptor, PixelRecords* records);
+
+  /// Of all blocks, in the order of the reports.
+  std::vector<std::string> block_paths() const;
 
  private:
   void bind_memory();

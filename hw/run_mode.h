@@ -2,15 +2,36 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace artu::hw {
 
+/// How much of a block's doings is written to the log.
+enum class LogLevel : std::uint8_t { off, info, debug };
+
+/// Blocks whose path is `block`, or begins with it and a dot, or all for "*".
+struct LogRule {
+  std::string block;
+  LogLevel level = LogLevel::off;
+};
+
+inline bool fits(const LogRule& rule, const std::string& path) {
+  return rule.block == "*" || path == rule.block || path.compare(0, rule.block.size() + 1, rule.block + ".") == 0;
+}
+
+/// Where the lines of the log go, one at a time, without a line end.
+using LogSink = std::function<void(const std::string&)>;
+
 /// How the unit is run: no part of the chip.
 struct RunMode {
-  bool clocked = false;        // tick every block in every cycle
-  bool shuffle = false;        // random order of blocks within a cycle
-  bool random_stall = false;   // random latency on every channel
+  bool clocked = false;       // tick every block in every cycle
+  bool shuffle = false;       // random order of blocks within a cycle
+  bool random_stall = false;  // random latency on every channel
   std::uint64_t seed = 1;
+  std::vector<LogRule> log;  // the last rule that fits a block counts
+  LogSink log_sink;          // needed where there is a rule
 };
 
 /// Datapaths whose result can be falsified, to show that the golden comparison sees it; and the DRAM, an answer of

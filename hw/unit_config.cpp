@@ -32,9 +32,21 @@ void RayCoreConfig::visit(ParameterVisitor& v) {
   v.integer("contexts", contexts, {1, 256}, "", "pixels in flight in a core, each with one ray at a time");
   v.integer("stack_entries", stack_entries, {8, 128}, "", "traversal stack of a ray; a deeper tree is refused");
   v.integer("queue_depth", queue_depth, {1, 256}, "", "entries of the queues between a core's blocks");
+  v.integer("box_testers", box_testers, {1, 8}, "", "boxes (of a kd-tree: planes) that a core tests in a cycle");
   visit_cache(v, "node_cache", "tree nodes, one a core", node_cache);
   visit_cache(v, "triangle_cache", "triangles and their attributes, one a core", triangle_cache);
   visit_cache(v, "texture_cache", "materials and texels, one a core", texture_cache);
+}
+
+void AccelConfig::visit(ParameterVisitor& v) {
+  const auto kind = [&v](const char* group, const char* text, TreeKind& value) {
+    v.enter(group, text);
+    v.choice("kind", value, {"bvh2", "bvh4", "bvh8", "kd"},
+             "binary BVH, 4- or 8-wide BVH with 8-bit child boxes, or kd-tree");
+    v.leave();
+  };
+  kind("static", "tree of the static geometry", static_kind);
+  kind("dynamic", "tree of the dynamic geometry", dynamic_kind);
 }
 
 void ShadingConfig::visit(ParameterVisitor& v) {
@@ -58,7 +70,8 @@ void SelectiveConfig::visit(ParameterVisitor& v) {
 void TreeBuilderConfig::visit(ParameterVisitor& v) {
   v.integer("triangles_per_pass", triangles_per_pass, {16, 1u << 20, true}, "triangles",
             "subtrees of at most this size are built on chip, without memory traffic for each level");
-  v.integer("cycles_per_triangle", cycles_per_triangle, {1, 1000}, "cycles", "for each triangle at each level of the tree");
+  v.integer("cycles_per_triangle", cycles_per_triangle, {1, 1000}, "cycles",
+            "for each triangle at each level of the tree");
   v.integer("outstanding", outstanding, {1, 256}, "", "memory requests in flight");
 }
 
@@ -88,10 +101,14 @@ void MemoryConfig::visit(ParameterVisitor& v) {
 void UnitConfig::visit(ParameterVisitor& v) {
   v.enter("unit", "the unit as a whole");
   v.integer("clock_mhz", clock_mhz, {1, 10000}, "MHz", "clock");
-  v.integer("watchdog", watchdog, {1000, 4000000000u}, "cycles", "without a token moving and without a busy block: dead-lock, exit code 3");
+  v.integer("watchdog", watchdog, {1000, 4000000000u}, "cycles",
+            "without a token moving and without a busy block: dead-lock, exit code 3");
   v.leave();
   v.enter("core", "ray cores");
   core.visit(v);
+  v.leave();
+  v.enter("accel", "acceleration structures");
+  accel.visit(v);
   v.leave();
   v.enter("operators", "latencies of the arithmetic operators");
   operators.visit(v);

@@ -15,20 +15,21 @@ struct OperatorConfig {
 };
 
 struct CacheConfig {
-  std::uint32_t size = 16384;      // bytes
+  std::uint32_t size = 16384;  // bytes
   std::uint32_t ways = 4;
-  std::uint32_t hit_latency = 2;   // cycles from request to data
-  std::uint32_t mshrs = 8;         // lines that can be outstanding
-  std::uint32_t targets = 8;       // requests that can wait for one line
-  bool hashed = false;             // sets chosen by a hash of the address
+  std::uint32_t hit_latency = 2;  // cycles from request to data
+  std::uint32_t mshrs = 8;        // lines that can be outstanding
+  std::uint32_t targets = 8;      // requests that can wait for one line
+  bool hashed = false;            // sets chosen by a hash of the address
   void visit(ParameterVisitor& v);
 };
 
 struct RayCoreConfig {
   std::uint32_t count = 6;
-  std::uint32_t contexts = 32;     // pixels in flight, one ray each
+  std::uint32_t contexts = 32;  // pixels in flight, one ray each
   std::uint32_t stack_entries = 64;
-  std::uint32_t queue_depth = 4;   // between the core's blocks
+  std::uint32_t queue_depth = 4;  // between the core's blocks
+  std::uint32_t box_testers = 2;  // boxes (or planes) tested in a cycle
   CacheConfig node_cache{16384, 4, 2, 8, 8};
   CacheConfig triangle_cache{16384, 4, 2, 8, 8};
   CacheConfig texture_cache{8192, 4, 2, 8, 8};
@@ -44,8 +45,16 @@ struct SelectiveConfig {
   Magnitude magnitude = Magnitude::proportional;
   std::uint32_t step = 2;
   std::array<std::uint32_t, 8> table{1, 2, 4, 7, 11, 16, 22, 29};
-  std::uint32_t tile = 16;         // pixels, edge of the tiles in which pixels are visited
+  std::uint32_t tile = 16;  // pixels, edge of the tiles in which pixels are visited
   CacheConfig pixel_cache{4096, 4, 2, 8, 8, true};
+  void visit(ParameterVisitor& v);
+};
+
+enum class TreeKind : std::uint32_t { bvh2, bvh4, bvh8, kd };
+
+/// Acceleration structures, one for each class of geometry.
+struct AccelConfig {
+  TreeKind static_kind = TreeKind::bvh2, dynamic_kind = TreeKind::bvh2;
   void visit(ParameterVisitor& v);
 };
 
@@ -63,7 +72,7 @@ struct DramConfig {
 };
 
 struct MemoryConfig {
-  std::uint32_t line = 64;               // bytes
+  std::uint32_t line = 64;                 // bytes
   std::uint32_t interconnect_latency = 4;  // cycles each way between a core and the L2
   CacheConfig l2{262144, 8, 10, 32, 16, true};
   DramConfig dram;
@@ -81,6 +90,7 @@ struct UnitConfig {
   std::uint32_t clock_mhz = 500;
   std::uint32_t watchdog = 1000000;  // cycles without a token moving: dead-lock
   RayCoreConfig core;
+  AccelConfig accel;
   OperatorConfig operators;
   ShadingConfig shading;
   SelectiveConfig selective;

@@ -23,6 +23,14 @@ struct TraceContext {
 // positive: Embree compares distances as integers, to which a hit at t = -0 (legal) lies before everything.
 float embree_tfar(float t) { return t * (1.0f + 0x1p-18f) + 0x1p-100f; }
 
+// Embree stops the program at a ray that it thinks is not valid; the contract knows no such rays.
+bool embree_takes(const Ray& ray) {
+  const auto fits = [](const Vec3& v) {
+    return std::fabs(v.x) < embree_limit && std::fabs(v.y) < embree_limit && std::fabs(v.z) < embree_limit;
+  };
+  return fits(ray.origin) && fits(ray.direction);
+}
+
 void fill(RTCRay& out, const Ray& ray, float tfar) {
   out.org_x = ray.origin.x;
   out.org_y = ray.origin.y;
@@ -136,6 +144,12 @@ void EmbreeScene::occluded_callback(const RTCOccludedFunctionNArguments* args) {
 void EmbreeScene::closest(const Ray& ray, Hit& best) const {
   if (!scene_) return;
   TriangleHit hit;
+  if (!embree_takes(ray)) {
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+      if (intersect(ray, triangles_[i], hit)) improve(best, first_id_ + i, hit);
+    }
+    return;
+  }
   for (const std::uint32_t i : oversized_) {
     if (intersect(ray, triangles_[i], hit)) improve(best, first_id_ + i, hit);
   }
@@ -154,6 +168,12 @@ void EmbreeScene::closest(const Ray& ray, Hit& best) const {
 bool EmbreeScene::occluded(const Ray& ray) const {
   if (!scene_) return false;
   TriangleHit hit;
+  if (!embree_takes(ray)) {
+    for (const Triangle& triangle : triangles_) {
+      if (intersect(ray, triangle, hit)) return true;
+    }
+    return false;
+  }
   for (const std::uint32_t i : oversized_) {
     if (intersect(ray, triangles_[i], hit)) return true;
   }

@@ -69,11 +69,11 @@ enum class LightKind : std::uint8_t { point, directional, spot };
 
 struct Light {
   LightKind kind = LightKind::point;
-  Vec3 position;                // point, spot
-  Vec3 direction{0, -1, 0};     // directional, spot: unit vector, from the light
-  Vec3 color{1, 1, 1};          // point, spot: falls with 1/distance^2; directional: as it arrives
-  float range = 1.0e15f;        // point, spot: no light beyond; > 0
-  float cos_inner = 1.0f;       // spot: full inside, none outside; -1 <= outer < inner <= 1
+  Vec3 position;             // point, spot
+  Vec3 direction{0, -1, 0};  // directional, spot: unit vector, from the light
+  Vec3 color{1, 1, 1};       // point, spot: falls with 1/distance^2; directional: as it arrives
+  float range = 1.0e15f;     // point, spot: no light beyond; > 0
+  float cos_inner = 1.0f;    // spot: full inside, none outside; -1 <= outer < inner <= 1
   float cos_outer = 0.70710678f;
 };
 
@@ -82,10 +82,10 @@ struct Frame {
   std::uint32_t index = 0;  // in the animation, at Scene::fps
   double time = 0;          // seconds
   Camera camera;
-  std::vector<Light> lights;  // 0 ... 64
-  Vec3 ambient;               // multiplies the diffuse colour
-  Vec3 sky_nadir, sky_zenith; // a ray that misses gets a blend of these by its direction's y
-  bool dynamic_moved = true;  // false: dynamic geometry equals the preceding frame's, its tree is kept
+  std::vector<Light> lights;   // 0 ... 64
+  Vec3 ambient;                // multiplies the diffuse colour
+  Vec3 sky_nadir, sky_zenith;  // a ray that misses gets a blend of these by its direction's y
+  bool dynamic_moved = true;   // false: dynamic geometry equals the preceding frame's, its tree is kept
   Mesh dynamic;
 };
 
@@ -93,7 +93,7 @@ struct Frame {
 /// static triangle count + its index in Frame::dynamic.
 struct Scene {
   std::string name;
-  std::string generator;            // program and source, for the reader
+  std::string generator;                // program and source, for the reader
   std::uint32_t width = 0, height = 0;  // pixels, 1 ... 16384
   double fps = 30;
   std::uint32_t frame_count = 0;    // at least 1 in a trace

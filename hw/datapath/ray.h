@@ -9,8 +9,8 @@ struct Ray {
   Vector origin, direction;
   float tmax = two_pow_100;  // tmin is 0
   // Set-up:
-  Vector inverse;                 // 1 / direction, limited to 2^100 in magnitude
-  float sx = 0, sy = 0, sz = 0;   // shear
+  Vector inverse;                // 1 / direction, limited to 2^100 in magnitude
+  float sx = 0, sy = 0, sz = 0;  // shear
   std::uint8_t kx = 0, ky = 1, kz = 2;
 };
 

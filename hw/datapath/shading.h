@@ -17,8 +17,8 @@ Vector sky(const ShadingConstants& constants, Vector direction);
 
 /// A hit's material after its texture, where the light loop and the next rays read it.
 struct ShadedPoint {
-  Vector direction;                  // of the ray that hit
-  Vector weight;                     // T
+  Vector direction;  // of the ray that hit
+  Vector weight;     // T
   Vector geometric_normal, shading_normal, outside, inside;
   Vector diffuse, specular, mirror, transmission;
   float ior = 1;

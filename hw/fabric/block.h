@@ -7,6 +7,7 @@
 
 #include "hw/fabric/statistics.h"
 #include "hw/fabric/timeline.h"
+#include "hw/run_mode.h"
 
 namespace artu::hw {
 
@@ -19,6 +20,9 @@ enum class State : std::uint8_t {
   idle        // has no part in this phase of the frame
 };
 inline constexpr std::size_t state_count = 5;
+
+/// As the reports name it: "busy", "stall_in" ...
+const char* state_name(State state);
 
 /// Returned by a block's tick: what this cycle is, and when the block must be ticked again at the latest
 /// (a channel wakes it earlier).  Until then the cycles are as `after` says, by default as this one: that is
@@ -59,6 +63,11 @@ class Block : public sc_core::sc_module {
   void takes_part_in(unsigned phases) { phases_ = phases; }
   /// From the next cycle on.
   void set_phase(unsigned phase);
+  /// info: a line for each change of the frame's phase; debug: one for each change of the block's state, too.
+  void log_to(LogLevel level, const LogSink& sink) {
+    log_level_ = level;
+    log_sink_ = &sink;
+  }
 
  protected:
   virtual Activity tick(Cycle now) = 0;
@@ -68,6 +77,7 @@ class Block : public sc_core::sc_module {
   void run(Cycle now);
   void begin_frame(Cycle now);
   void end_frame(Cycle now) { account(now); }
+  void log_change(Cycle now, State before, unsigned phase_before) const;
   void account(Cycle now) {
     if (now == since_) return;
     ++cycles_[static_cast<std::size_t>(state_)];
@@ -84,6 +94,8 @@ class Block : public sc_core::sc_module {
   Cycle since_ = 0;
   unsigned phases_ = ~0u, phase_ = 1, next_phase_ = 1;
   Cycle phase_from_ = 0;
+  LogLevel log_level_ = LogLevel::off;
+  const LogSink* log_sink_ = nullptr;
   std::array<std::uint64_t, state_count> cycles_{};
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hw/fabric/phase.h"
+
 namespace artu::hw {
 
 ClockDomain::ClockDomain(sc_core::sc_module_name name, Timeline& timeline, Tick period, double tick_seconds)
@@ -205,12 +207,32 @@ void Block::begin_frame(Cycle now) {
   phase_from_ = 0;
 }
 
+const char* state_name(State state) {
+  static const char* const names[state_count] = {"busy", "stall_in", "stall_out", "stall_mem", "idle"};
+  return names[static_cast<std::size_t>(state)];
+}
+
+void Block::log_change(Cycle now, State before, unsigned phase_before) const {
+  std::string what;
+  if (phase_ != phase_before) what = std::string("phase ") + phase_name(phase_);
+  if (log_level_ == LogLevel::debug && (state_ != before || after_ != state_)) {
+    what += (what.empty() ? "" : ", ") + std::string(state_name(state_));
+    if (after_ != state_) what += " for a cycle, then " + std::string(state_name(after_));
+  }
+  if (what.empty()) return;
+  const std::string detail = describe();
+  (*log_sink_)(std::to_string(now) + " " + path() + ": " + what + (detail.empty() ? "" : "; " + detail));
+}
+
 void Block::run(Cycle now) {
   account(now);
+  const State before = after_;
+  const unsigned phase_before = phase_;
   if (now >= phase_from_) phase_ = next_phase_;
   const Activity activity = tick(now);
   state_ = in_phase(activity.state);
   after_ = in_phase(activity.after);
+  if (log_level_ != LogLevel::off) log_change(now, before, phase_before);
   if (activity.next != never) domain_.wake(*this, activity.next);
 }
 

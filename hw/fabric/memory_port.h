@@ -8,10 +8,10 @@ namespace artu::hw {
 
 /// One line.  Timing only: the bytes are in the memory image, which a block reads when the response is there.
 struct MemoryRequest {
-  Address line = 0;             // address of the line
-  std::uint64_t bytes = 0;      // write: which bytes of the line; 0 = read
-  std::uint32_t tag = 0;        // given back in the response
-  std::uint16_t source = 0;     // filled by the interconnect, to route the response
+  Address line = 0;          // address of the line
+  std::uint64_t bytes = 0;   // write: which bytes of the line; 0 = read
+  std::uint32_t tag = 0;     // given back in the response
+  std::uint16_t source = 0;  // filled by the interconnect, to route the response
   bool write() const { return bytes != 0; }
 };
 

@@ -29,7 +29,8 @@ class ParameterVisitor {
   virtual void leave() = 0;
 
   /// `unit` is "" for pure numbers; ranges are inclusive.
-  virtual void integer(const char* name, std::uint32_t& value, IntegerRange range, const char* unit, const char* text) = 0;
+  virtual void integer(const char* name, std::uint32_t& value, IntegerRange range, const char* unit,
+                       const char* text) = 0;
   virtual void real(const char* name, float& value, RealRange range, const char* unit, const char* text) = 0;
   virtual void flag(const char* name, bool& value, const char* text) = 0;
   virtual void table(const char* name, std::array<std::uint32_t, 8>& value, IntegerRange range, const char* unit,

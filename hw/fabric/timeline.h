@@ -17,9 +17,9 @@ inline constexpr std::uint64_t never = ~std::uint64_t{0};
 class ClockDomain;
 
 struct Timeline {
-  Tick now = 0;                 // the edge that is being worked on
-  std::uint64_t progress = 0;   // tokens moved so far: the watchdog looks whether this changes
-  bool driven = false;          // a domain's process is running: wakes need no kernel event
+  Tick now = 0;                // the edge that is being worked on
+  std::uint64_t progress = 0;  // tokens moved so far: the watchdog looks whether this changes
+  bool driven = false;         // a domain's process is running: wakes need no kernel event
   std::vector<ClockDomain*> domains;
 };
 

@@ -5,7 +5,8 @@
 // Latency: `hit_latency` from a request's arrival to its response (the response channel's latency).
 // Hit under miss: a miss waits in an MSHR while later requests go on; a second miss on the same line waits in
 // the same MSHR.  Stalls a client whose miss finds no MSHR (stall_mem) or whose response channel is full (stall_out).
-// LRU replacement; with `hashed` the set is a hash of the line's address.  A write of a whole line allocates without a fetch.
+// LRU replacement; with `hashed` the set is a hash of the line's address.  A write of a whole line allocates without a
+// fetch.
 #pragma once
 
 #include <vector>
@@ -89,7 +90,7 @@ class Cache : public Block {
 
   std::vector<Line> lines_;
   std::vector<Mshr> mshrs_;
-  std::vector<Address> mshr_lines_;  // line of each MSHR, 0 = free: apart, since every miss looks through all
+  std::vector<Address> mshr_lines_;    // line of each MSHR, 0 = free: apart, since every miss looks through all
   std::vector<std::uint32_t> filled_;  // MSHRs with targets to answer, in order of their fills
   std::size_t filled_head_ = 0;
   std::uint32_t busy_mshrs_ = 0;
@@ -97,7 +98,7 @@ class Cache : public Block {
   // A miss that found no MSHR need not be looked at again before the MSHRs or the lines have changed.
   std::uint64_t changes_ = 0;
   std::vector<std::uint64_t> blocked_at_;  // by client: the value of changes_ when its miss was turned away
-  std::uint64_t clock_ = 0;  // for LRU
+  std::uint64_t clock_ = 0;                // for LRU
   bool flushing_ = false;
   std::size_t flush_at_ = 0;
   std::uint32_t outstanding_writes_ = 0;

@@ -104,7 +104,8 @@ Activity FrameWriter::tick(Cycle now) {
     active_ = true;
     moved = true;
   }
-  const std::size_t chosen = arbiter_.pick(waiting_, sources_.size(), [&](std::size_t i) { return sources_[i]->can_pop(); });
+  const std::size_t chosen =
+      arbiter_.pick(waiting_, sources_.size(), [&](std::size_t i) { return sources_[i]->can_pop(); });
   if (chosen != sources_.size()) {
     if (write(sources_[chosen]->front())) {
       sources_[chosen]->pop();

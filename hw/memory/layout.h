@@ -6,13 +6,15 @@
 #include <cstdint>
 
 #include "hw/datapath/ray.h"
+#include "hw/unit_config.h"
 
 namespace artu::hw {
 
 using Address = std::uint64_t;
 
 /// Reference to a child: an inner node of either tree, or a leaf's run of triangles.
-///   bit 31 leaf, bit 30 dynamic tree;  inner: bits 29-0 node index;  leaf: bits 29-26 count - 1, bits 25-0 first triangle
+///   bit 31 leaf, bit 30 dynamic tree;  inner: bits 29-0 node index;  leaf: bits 29-26 count - 1, bits 25-0 first
+///   triangle
 struct NodeReference {
   static constexpr std::uint32_t leaf_bit = 1u << 31, dynamic_bit = 1u << 30;
   static constexpr std::uint32_t maximum_leaf = 16, maximum_triangles = 1u << 26, maximum_nodes = 1u << 30;
@@ -29,12 +31,8 @@ struct NodeReference {
   static std::uint32_t count(std::uint32_t r) { return ((r >> 26) & 15) + 1; }
 };
 
-enum class TreeKind : std::uint32_t { bvh2, bvh4, bvh8, kd };
-
 /// Bytes of a node of this kind; its address is a multiple of this from the tree's base.
-inline std::uint32_t node_bytes(TreeKind kind) {
-  return kind == TreeKind::bvh8 ? 128 : kind == TreeKind::kd ? 16 : 64;
-}
+inline std::uint32_t node_bytes(TreeKind kind) { return kind == TreeKind::bvh8 ? 128 : kind == TreeKind::kd ? 16 : 64; }
 
 /// Binary BVH node: both children's boxes and references.
 struct alignas(64) NodeRecord {
@@ -48,8 +46,8 @@ struct alignas(64) NodeRecord {
 template <int Width>
 struct alignas(64) WideNodeRecord {
   Vector origin;
-  std::uint8_t exponent[3];      // of the step on each axis, biased as in binary32: 1 ... 254
-  std::uint8_t count;            // children, 1 ... Width
+  std::uint8_t exponent[3];  // of the step on each axis, biased as in binary32: 1 ... 254
+  std::uint8_t count;        // children, 1 ... Width
   std::uint8_t lo[3][Width], hi[3][Width];
   std::uint32_t child[Width];
 };
@@ -57,7 +55,7 @@ struct alignas(64) WideNodeRecord {
 /// kd-tree node; four lie in a line.  A child is `none` where its cell is empty.
 struct alignas(16) KdNodeRecord {
   float split;
-  std::uint32_t axis;       // 0 ... 2: child 0 is below the plane, child 1 above; `both`: the children share the cell
+  std::uint32_t axis;  // 0 ... 2: child 0 is below the plane, child 1 above; `both`: the children share the cell
   std::uint32_t child[2];
   static constexpr std::uint32_t both = 3;  // for leaves with more triangles than a reference can count
 };
@@ -67,8 +65,8 @@ struct alignas(64) TriangleRecord {
   Vector a, b, c;
   std::uint32_t primitive;  // global id
   std::uint32_t material;
-  std::uint32_t color[3];   // of the vertices: linear R, G, B, A codes
-  std::uint32_t attributes; // index of its AttributeRecord
+  std::uint32_t color[3];    // of the vertices: linear R, G, B, A codes
+  std::uint32_t attributes;  // index of its AttributeRecord
   std::uint32_t reserved;
 };
 
@@ -119,11 +117,11 @@ struct alignas(64) FrameDescriptor {
   Address frame_buffer;  // 4 bytes a pixel (R, G, B, 255), rows of `pitch` pixels
   Address hit_classes;   // 1 byte a pixel (HitClass), rows of `pitch` pixels
   Address build_input, build_scratch;
-  std::uint32_t pitch;   // pixels, a multiple of 64
+  std::uint32_t pitch;  // pixels, a multiple of 64
   std::uint32_t light_count;
   std::uint32_t dynamic_triangle_count;
   std::uint32_t dynamic_reference_count;  // triangle records: more than triangles in a kd-tree
-  std::uint32_t dynamic_node_count;
+  std::uint32_t dynamic_node_lines;
   std::uint32_t dynamic_moved;
   CameraRegisters camera;
   Vector ambient, sky_nadir, sky_zenith;

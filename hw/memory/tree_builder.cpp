@@ -41,8 +41,8 @@ void TreeBuilder::plan() {
   }
   steps_.push_back({{{frame.build_scratch, references, false},
                      {frame.build_input, n, false},
-                     {frame.dynamic_nodes, frame.dynamic_node_count, true},
-                     {frame.dynamic_triangles, n, true},
+                     {frame.dynamic_nodes, frame.dynamic_node_lines, true},
+                     {frame.dynamic_triangles, frame.dynamic_reference_count, true},
                      {frame.dynamic_attributes, n, true}},
                     level_cycles * (levels - streamed)});
 }
@@ -54,7 +54,8 @@ bool TreeBuilder::issue() {
     ++stream_;
     line_ = 0;
   }
-  if (stream_ == step.streams.size() || outstanding_ == config_.outstanding || !memory_->request.can_push()) return false;
+  if (stream_ == step.streams.size() || outstanding_ == config_.outstanding || !memory_->request.can_push())
+    return false;
   const Stream& stream = step.streams[stream_];
   memory_->request.push({stream.base + line_ * line_bytes, stream.write ? ~std::uint64_t{0} : 0, 0, 0});
   ++line_;

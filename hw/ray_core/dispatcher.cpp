@@ -9,7 +9,8 @@ void Dispatcher::reset() {
 }
 
 Activity Dispatcher::tick(Cycle now) {
-  const std::size_t source = source_arbiter_.pick(sources_.size(), [&](std::size_t i) { return sources_[i]->can_pop(); });
+  const std::size_t source =
+      source_arbiter_.pick(sources_.size(), [&](std::size_t i) { return sources_[i]->can_pop(); });
   if (source == sources_.size()) return {State::stall_in};
   const std::size_t core = core_arbiter_.pick(cores_.size(), [&](std::size_t i) { return cores_[i]->can_push(); });
   if (core == cores_.size()) return {State::stall_out};

@@ -8,16 +8,22 @@ void HitPoint::reset() {
   hits_ = 0;
 }
 
-Address HitPoint::record(const RayContext& context, Address static_base, Address dynamic_base) const {
-  return (context.dynamic ? dynamic_base : static_base) + Address{context.best_triangle} * line_bytes;
+Address HitPoint::triangle_of(const RayContext& context) const {
+  const FrameDescriptor& frame = registers_.descriptor;
+  const Address base = context.dynamic ? frame.dynamic_triangles : frame.static_triangles;
+  return base + Address{context.best_triangle} * sizeof(TriangleRecord);
+}
+
+Address HitPoint::attributes_of(const RayContext& context) const {
+  const FrameDescriptor& frame = registers_.descriptor;
+  const Address base = context.dynamic ? frame.dynamic_attributes : frame.static_attributes;
+  return base + Address{context.best_attributes} * sizeof(AttributeRecord);
 }
 
 void HitPoint::compute(RayContext& context) {
   const FrameDescriptor& frame = registers_.descriptor;
-  const auto& triangle =
-      image_.at<TriangleRecord>(record(context, frame.static_triangles, frame.dynamic_triangles));
-  const auto& attributes =
-      image_.at<AttributeRecord>(record(context, frame.static_attributes, frame.dynamic_attributes));
+  const auto& triangle = image_.at<TriangleRecord>(triangle_of(context));
+  const auto& attributes = image_.at<AttributeRecord>(attributes_of(context));
   context.surface = surface_at(context.ray, context.best, triangle, attributes);
   context.material = frame.materials + Address{triangle.material} * sizeof(MaterialRecord);
   ++hits_;
@@ -39,9 +45,7 @@ Activity HitPoint::tick(Cycle now) {
     const Slot slot = in_->front();
     RayContext& context = contexts_[slot];
     if (triangles_->request.can_push()) {
-      const FrameDescriptor& frame = registers_.descriptor;
-      const Address line = second_ ? record(context, frame.static_attributes, frame.dynamic_attributes)
-                                   : record(context, frame.static_triangles, frame.dynamic_triangles);
+      const Address line = second_ ? attributes_of(context) : triangle_of(context);
       if (!second_) context.outstanding = 2;
       triangles_->request.push({line, 0, slot, 0});
       ++outstanding_;

@@ -15,8 +15,8 @@ namespace artu::hw {
 
 class HitPoint : public Block {
  public:
-  HitPoint(sc_core::sc_module_name name, ClockDomain& domain, const FrameRegisters& registers,
-           const MemoryImage& image, RayContexts& contexts)
+  HitPoint(sc_core::sc_module_name name, ClockDomain& domain, const FrameRegisters& registers, const MemoryImage& image,
+           RayContexts& contexts)
       : Block(name, domain), registers_(registers), image_(image), contexts_(contexts) {}
   void bind(Fifo<Slot>& in, Fifo<Slot>& out, MemoryLink& triangles) {
     in_ = &in;
@@ -29,7 +29,8 @@ class HitPoint : public Block {
 
  private:
   Activity tick(Cycle now) override;
-  Address record(const RayContext& context, Address static_base, Address dynamic_base) const;
+  Address triangle_of(const RayContext& context) const;
+  Address attributes_of(const RayContext& context) const;
   void compute(RayContext& context);
 
   const FrameRegisters& registers_;

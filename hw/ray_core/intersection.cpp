@@ -27,6 +27,7 @@ void Intersection::test(Slot slot, std::uint32_t index) {
   context.best = hit;
   context.best_primitive = record.primitive;
   context.best_triangle = triangle;
+  context.best_attributes = record.attributes;
   context.dynamic = dynamic;
 }
 
@@ -62,8 +63,7 @@ Activity Intersection::tick(Cycle now) {
     Leaf& leaf = leaves_[fetch_slot_];
     if (triangles_->request.can_push()) {
       const FrameDescriptor& frame = registers_.descriptor;
-      const Address base =
-          NodeReference::is_dynamic(leaf.leaf) ? frame.dynamic_triangles : frame.static_triangles;
+      const Address base = NodeReference::is_dynamic(leaf.leaf) ? frame.dynamic_triangles : frame.static_triangles;
       const Address index = NodeReference::first(leaf.leaf) + leaf.fetched;
       triangles_->request.push(
           {base + index * sizeof(TriangleRecord), 0, std::uint32_t{fetch_slot_} << 8 | leaf.fetched, 0});
@@ -89,8 +89,6 @@ void Intersection::report(Statistics& out) const {
   out.push_back({path(), "left_out", left_out_, "", "triangles not fetched since a shadow ray was already blocked"});
 }
 
-std::string Intersection::describe() const {
-  return std::to_string(outstanding_) + " triangle fetches outstanding";
-}
+std::string Intersection::describe() const { return std::to_string(outstanding_) + " triangle fetches outstanding"; }
 
 }  // namespace artu::hw

@@ -8,6 +8,8 @@ namespace artu::hw {
 struct Pipelines {
   explicit Pipelines(const OperatorConfig& o)
       : box(o.add + o.multiply + 3 * o.compare + o.multiply + 2 * o.compare),
+        wide_box(o.multiply + o.add + box + 2 * o.compare),
+        plane(o.add + 2 * o.multiply + 2 * o.compare),
         triangle(o.add + (o.multiply + o.add) + (o.multiply + o.add) + 2 * o.add + o.divide + 3 * o.compare),
         set_up(o.divide + 2 * o.compare),
         unit_vector(o.multiply + 2 * o.add + o.square_root + o.divide + o.multiply),
@@ -20,7 +22,15 @@ struct Pipelines {
         next_ray(2 * o.multiply + o.add + o.square_root + 2 * o.multiply + o.add + unit_vector),
         accumulate(o.multiply + o.add) {}
 
-  std::uint32_t box, triangle, set_up, unit_vector, generate, hit_point, texture, light, next_ray, accumulate;
+  /// From a node's data to the ray's next step.
+  std::uint32_t node(TreeKind kind) const {
+    return kind == TreeKind::kd ? plane : kind == TreeKind::bvh2 ? box : wide_box;
+  }
+
+  std::uint32_t box;       // two boxes, nearer first
+  std::uint32_t wide_box;  // decoding, and sorting up to eight
+  std::uint32_t plane;     // of a kd-tree
+  std::uint32_t triangle, set_up, unit_vector, generate, hit_point, texture, light, next_ray, accumulate;
 };
 
 }  // namespace artu::hw

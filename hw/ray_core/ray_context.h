@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "hw/datapath/node_visit.h"
 #include "hw/datapath/shading.h"
 #include "hw/datapath/texture.h"
 #include "hw/fabric/timeline.h"
@@ -34,11 +35,6 @@ struct PendingRay {
   std::uint8_t depth = 0;
 };
 
-struct StackEntry {
-  std::uint32_t node;
-  float enter;
-};
-
 struct RayContext {
   PixelJob pixel;
   Vector sum;  // colour so far
@@ -52,10 +48,11 @@ struct RayContext {
   // Traversal.
   bool found = false, dynamic = false;
   TriangleHit best;
-  std::uint32_t best_primitive = 0, best_triangle = 0;
-  std::uint32_t next = 0;  // node to visit, or none: pop
+  std::uint32_t best_primitive = 0, best_triangle = 0, best_attributes = 0;
+  Step next;  // node to visit; without one: pop
   std::uint32_t stack_size = 0;
-  std::array<StackEntry, maximum_stack> stack;
+  std::uint8_t lines_left = 0;  // of the node that is being fetched
+  std::array<Step, maximum_stack> stack;
 
   // Hit point and shading.
   std::uint8_t outstanding = 0;  // memory requests

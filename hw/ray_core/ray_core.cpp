@@ -3,7 +3,9 @@
 namespace artu::hw {
 
 namespace {
-std::string channel(const sc_core::sc_module& core, const char* name) { return std::string(core.basename()) + "." + name; }
+std::string channel(const sc_core::sc_module& core, const char* name) {
+  return std::string(core.basename()) + "." + name;
+}
 }  // namespace
 
 RayCore::RayCore(sc_core::sc_module_name name, ClockDomain& domain, const UnitConfig& config,
@@ -13,7 +15,7 @@ RayCore::RayCore(sc_core::sc_module_name name, ClockDomain& domain, const UnitCo
       pipelines_(config.operators),
       contexts_(config.core.contexts),
       ray_generator("ray_generator", domain, registers, contexts_),
-      traversal("traversal", domain, registers, image, contexts_, pipelines_.box),
+      traversal("traversal", domain, registers, image, contexts_, config.core, pipelines_),
       intersection("intersection", domain, registers, image, contexts_),
       hit_point("hit_point", domain, registers, image, contexts_),
       shading("shading", domain, registers, image, contexts_, pipelines_),
@@ -39,8 +41,8 @@ RayCore::RayCore(sc_core::sc_module_name name, ClockDomain& domain, const UnitCo
                    config.memory.interconnect_latency),
       triangle_misses_(channel(*this, "triangle_misses"), config_.triangle_cache.mshrs,
                        config.memory.interconnect_latency, config.memory.interconnect_latency),
-      texture_misses_(channel(*this, "texture_misses"), config_.texture_cache.mshrs,
-                      config.memory.interconnect_latency, config.memory.interconnect_latency) {
+      texture_misses_(channel(*this, "texture_misses"), config_.texture_cache.mshrs, config.memory.interconnect_latency,
+                      config.memory.interconnect_latency) {
   primary_.bind(ray_generator, traversal);
   others_.bind(ray_generator, traversal);
   leaves_.bind(traversal, intersection);
@@ -63,8 +65,7 @@ RayCore::RayCore(sc_core::sc_module_name name, ClockDomain& domain, const UnitCo
   intersection.bind(leaves_, tested_, triangles_);
   hit_point.bind(hits_, surfaces_, attributes_);
 
-  channels_ = {&primary_, &others_,    &tested_, &hits_,   &misses_,
-               &shadows_, &surfaces_,  &next_rays_, &freed_, &leaves_};
+  channels_ = {&primary_, &others_, &tested_, &hits_, &misses_, &shadows_, &surfaces_, &next_rays_, &freed_, &leaves_};
   for (MemoryLink* link :
        {&nodes_, &triangles_, &attributes_, &texels_, &node_misses_, &triangle_misses_, &texture_misses_}) {
     channels_.push_back(&link->request);

@@ -19,8 +19,8 @@ namespace artu::hw {
 
 class RayCore : public sc_core::sc_module {
  public:
-  RayCore(sc_core::sc_module_name name, ClockDomain& domain, const UnitConfig& config,
-          const FrameRegisters& registers, const MemoryImage& image);
+  RayCore(sc_core::sc_module_name name, ClockDomain& domain, const UnitConfig& config, const FrameRegisters& registers,
+          const MemoryImage& image);
 
   /// Connects the L1 caches to the interconnect and the core to the dispatcher and the frame writer.
   void bind(Interconnect& interconnect, Fifo<PixelJob>& jobs, Fifo<PixelToken>& pixels);

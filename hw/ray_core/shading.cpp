@@ -74,8 +74,8 @@ Vector Shading::texture_of(const RayContext& context, const MaterialRecord& mate
   if (material.texels == 0) return {1, 1, 1};
   std::array<std::uint32_t, 4> texels{};
   for (std::size_t i = 0; i < 4; ++i) {
-    texels[i] = image_.at<std::uint32_t>(texel_address(material.texels, material.width, context.footprint.x[i & 1],
-                                                       context.footprint.y[i >> 1]));
+    texels[i] = image_.at<std::uint32_t>(
+        texel_address(material.texels, material.width, context.footprint.x[i & 1], context.footprint.y[i >> 1]));
   }
   return filter(context.footprint, texels);
 }

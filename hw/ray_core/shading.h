@@ -21,8 +21,8 @@ namespace artu::hw {
 
 class Shading : public Block {
  public:
-  Shading(sc_core::sc_module_name name, ClockDomain& domain, const FrameRegisters& registers,
-          const MemoryImage& image, RayContexts& contexts, const Pipelines& pipelines)
+  Shading(sc_core::sc_module_name name, ClockDomain& domain, const FrameRegisters& registers, const MemoryImage& image,
+          RayContexts& contexts, const Pipelines& pipelines)
       : Block(name, domain),
         registers_(registers),
         image_(image),

@@ -50,8 +50,8 @@ HitClass CandidatePixelExtractor::counted_class(std::int64_t x, std::int64_t y) 
   if (x < 0 || y < 0 || x >= frame.width || y >= frame.height) return HitClass::none;
   const unsigned pass_of_neighbour = y % 2 != 0 ? 2 : x % 2 != 0 ? 1 : 0;
   if (pass_of_neighbour >= pass_) return HitClass::none;
-  return static_cast<HitClass>(image_.at<std::uint8_t>(
-      frame.hit_classes + static_cast<std::uint64_t>(y) * frame.pitch + static_cast<std::uint64_t>(x)));
+  return static_cast<HitClass>(image_.at<std::uint8_t>(frame.hit_classes + static_cast<std::uint64_t>(y) * frame.pitch +
+                                                       static_cast<std::uint64_t>(x)));
 }
 
 Rgb CandidatePixelExtractor::color(std::uint32_t x, std::uint32_t y) const {

@@ -20,8 +20,8 @@ Activity RenderExecutor::tick(Cycle now) {
   if (candidate.pair && difference <= candidate.threshold) {
     if (!interpolated_->can_push()) return {State::stall_out};
     const Rgb mean = interpolate(candidate.a, candidate.b);
-    interpolated_->push({candidate.x, candidate.y, static_cast<std::uint8_t>(mean.r ^ fault_), mean.g, mean.b,
-                         HitClass::none});
+    interpolated_->push(
+        {candidate.x, candidate.y, static_cast<std::uint8_t>(mean.r ^ fault_), mean.g, mean.b, HitClass::none});
     ++interpolated_count_;
     record(candidate, difference, Decision::interpolated);
   } else {

@@ -19,6 +19,7 @@ constexpr const char* examples = R"(Examples:
   artu check scene.glb --frames 12                       frame 12 against the golden model
   artu import scene.glb --frames all -o scene.artu       all frames as a trace, to run without the scene
   artu diff a.png b.png                                  how far two pictures are apart
+  artu stress                                            rays that are hard to get right, against every kind of tree
   artu run --list-params                                 what can be configured
 
 Exit codes: 0 fine, 1 mismatch with the golden model, 2 usage or input, 3 dead-lock, 4 internal.)";
@@ -86,12 +87,44 @@ void add_run_options(CLI::App& command, RunOptions& run) {
       ->option_text("N")
       ->group("Simulation");
   command
+      .add_option_function<std::vector<std::string>>(
+          "--log",
+          [&run](const std::vector<std::string>& rules) {
+            for (const std::string& rule : rules) run.simulation.log.push_back(parse_log_rule(rule));
+          },
+          "What a block does, on stderr: off, info (phases of the frame), debug (every change of its state); "
+          "BLOCK is a path, or its beginning, or *; may be repeated")
+      ->option_text("BLOCK=LEVEL")
+      ->allow_extra_args(false)
+      ->group("Simulation");
+  command
       .add_option_function<std::string>(
           "--inject-fault", [&run](const std::string& fault) { run.simulation.fault = parse_fault(fault); },
           "Invert a bit of every result of a datapath (box, triangle, shading, interpolation, threshold), or "
           "lose an answer of the dram, to see that it is found")
       ->option_text("DATAPATH[:BIT]")
       ->group("Simulation");
+}
+
+void add_stress_options(CLI::App& command, StressCommandOptions& stress) {
+  command.add_option("--rays", stress.stress.rays, "Rays over all cases; default 200000")
+      ->option_text("N")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
+      ->group("Campaign");
+  command
+      .add_option_function<std::string>(
+          "--seed", [&stress](const std::string& seed) { stress.stress.seed = parse_seed(seed); },
+          "Of meshes and rays; default 1")
+      ->option_text("N")
+      ->group("Campaign");
+  command.add_option("--only", stress.stress.only, "One case, or one mesh in all its placements")
+      ->option_text("CASE")
+      ->group("Campaign");
+  command.add_flag("--list", stress.list, "Print the cases and end")->group("Campaign");
+  command.add_option("--json", stress.json, "Write the report as JSON as well")->option_text("FILE")->group("Output");
+  command.add_flag("--force", stress.force, "Replace an existing FILE")->group("Output");
+  command.add_flag("--quiet", stress.quiet, "No table and no progress bar; a failure is still reported")
+      ->group("Output");
 }
 
 /// One line, without the full stop.
@@ -106,8 +139,9 @@ void refuse_unknown_command(const CLI::App& app, int argc, const char* const* ar
   if (argc < 2 || argv[1][0] == '-') return;
   const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(is_named).empty()) return;
-  throw InputError("command line",
-                   fmt::format("unknown command \"{}\"; run, check, import or diff would be right", one_line(argv[1])));
+  throw InputError(
+      "command line",
+      fmt::format("unknown command \"{}\"; run, check, import, diff or stress would be right", one_line(argv[1])));
 }
 
 int parse_and_run(int argc, const char* const* argv) {
@@ -149,6 +183,13 @@ int parse_and_run(int argc, const char* const* argv) {
   command->add_option("A.png", picture_a, "A picture")->option_text(" ")->required();
   command->add_option("B.png", picture_b, "Another, of the same size")->option_text(" ")->required();
   command->callback([&] { chosen = [&] { return diff_command(picture_a, picture_b); }; });
+
+  StressCommandOptions stress;
+  command = app.add_subcommand("stress",
+                               "Trace rays that are hard to get right with every kind of tree, brute force and the "
+                               "golden model; exit code 1 where any two answers differ, or a closed mesh leaks");
+  add_stress_options(*command, stress);
+  command->callback([&] { chosen = [&] { return stress_command(stress); }; });
 
   run.command.assign(argv, argv + argc);
   try {

@@ -6,14 +6,22 @@
 #include <vector>
 
 #include "sim/command/options.h"
+#include "sim/stress/stress.h"
 
 namespace artu::sim {
 
 enum ExitCode { exit_fine = 0, exit_mismatch = 1, exit_input = 2, exit_dead_lock = 3, exit_internal = 4 };
 
+struct StressCommandOptions {
+  StressOptions stress;
+  std::string json;  // "" = none given
+  bool list = false, force = false, quiet = false;
+};
+
 int run_command(const RunOptions& options);
 int import_command(const ImportOptionsOfCommand& options);
 int diff_command(const std::string& a, const std::string& b);
+int stress_command(const StressCommandOptions& options);
 
 /// Parses the command line and runs what it asks for.
 int main_command(int argc, const char* const* argv);

@@ -45,11 +45,12 @@ PictureSize parse_size(const std::string& text) {
   if (!width || !height) {
     throw InputError("--size", fmt::format("\"{}\" is not a size; WIDTHxHEIGHT such as 640x360 would be right", text));
   }
-  for (const std::uint32_t edge : {*width, *height}) {
+  const PictureSize size{width.value_or(0), height.value_or(0)};
+  for (const std::uint32_t edge : {size.width, size.height}) {
     if (edge >= 1 && edge <= 16384) continue;
     throw InputError("--size", fmt::format("{} is out of range; 1x1 ... 16384x16384 would be right", text));
   }
-  return {*width, *height};
+  return size;
 }
 
 hw::Fault parse_fault(const std::string& text) {
@@ -75,6 +76,20 @@ hw::Fault parse_fault(const std::string& text) {
                    fmt::format("\"{}\" is not a datapath; box, triangle, shading, interpolation, threshold or "
                                "dram, with :BIT, would be right",
                                text));
+}
+
+hw::LogRule parse_log_rule(const std::string& text) {
+  static constexpr std::pair<const char*, hw::LogLevel> levels[] = {
+      {"off", hw::LogLevel::off}, {"info", hw::LogLevel::info}, {"debug", hw::LogLevel::debug}};
+  const std::size_t equals = text.find('=');
+  if (equals != std::string::npos && equals != 0) {
+    for (const auto& [name, level] : levels) {
+      if (text.substr(equals + 1) == name) return {text.substr(0, equals), level};
+    }
+  }
+  throw InputError("--log", fmt::format("\"{}\" is no rule; BLOCK=LEVEL with off, info or debug, such as "
+                                        "core0.traversal=debug or *=info, would be right",
+                                        text));
 }
 
 std::uint64_t parse_seed(const std::string& text) {

@@ -1,4 +1,4 @@
-// `--frames`, `--size`, `--seed` and `--inject-fault` as numbers.
+// Options that are more than a word: `--frames`, `--size`, `--seed`, `--inject-fault`, `--log`.
 #pragma once
 
 #include <cstdint>
@@ -27,6 +27,9 @@ PictureSize parse_size(const std::string& text);
 
 /// "DATAPATH" or "DATAPATH:BIT", as in `--inject-fault box:31`; without BIT the lowest.  Throws InputError.
 hw::Fault parse_fault(const std::string& text);
+
+/// "BLOCK=LEVEL", as in `--log core0.traversal=debug`.  Throws InputError; whether there is such a block shows later.
+hw::LogRule parse_log_rule(const std::string& text);
 
 /// 0 ... 2^64 - 1.  Throws InputError.
 std::uint64_t parse_seed(const std::string& text);

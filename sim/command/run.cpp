@@ -116,7 +116,9 @@ int run_command(const RunOptions& options) {
 
   std::vector<std::string> log;
   const FrameSource source(options.source, log);
-  Simulator simulator(source.scene(), unit, options.simulation);
+  SimulationOptions simulation = options.simulation;
+  simulation.log_sink = [](const std::string& line) { fmt::print(stderr, "log: {}\n", line); };
+  Simulator simulator(source.scene(), unit, simulation);
   if (options.dry_run) {
     print_notes(log, options.quiet);
     print_dry_run(options, source);

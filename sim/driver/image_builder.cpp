@@ -1,5 +1,6 @@
 #include "sim/driver/image_builder.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "hw/frame_registers.h"
@@ -11,7 +12,8 @@ namespace {
 
 hw::Vector vector(traces::Vec3 v) { return {v.x, v.y, v.z}; }
 
-hw::TriangleRecord triangle_record(const traces::Mesh& mesh, std::size_t triangle, std::uint32_t id) {
+hw::TriangleRecord triangle_record(const traces::Mesh& mesh, std::size_t triangle, std::uint32_t id,
+                                   std::uint32_t attributes) {
   const std::uint32_t* index = &mesh.indices[3 * triangle];
   hw::TriangleRecord record{};
   record.a = vector(mesh.positions[index[0]]);
@@ -19,6 +21,7 @@ hw::TriangleRecord triangle_record(const traces::Mesh& mesh, std::size_t triangl
   record.c = vector(mesh.positions[index[2]]);
   record.primitive = id;
   record.material = mesh.materials[triangle];
+  record.attributes = attributes;
   for (int i = 0; i < 3; ++i) record.color[i] = mesh.colors[index[i]];
   return record;
 }
@@ -48,8 +51,8 @@ hw::LightRecord light_record(const traces::Light& light) {
 
 }  // namespace
 
-ImageBuilder::ImageBuilder(const traces::Scene& scene, hw::MemoryImage& image)
-    : scene_(scene), image_(image), pitch_((scene.width + 63) / 64 * 64) {
+ImageBuilder::ImageBuilder(const traces::Scene& scene, const hw::AccelConfig& accel, hw::MemoryImage& image)
+    : scene_(scene), accel_(accel), image_(image), pitch_((scene.width + 63) / 64 * 64) {
   const std::uint64_t pixels = std::uint64_t{pitch_} * scene.height;
   frame_buffer_ = image_.allocate(pixels * 4);
   hit_classes_ = image_.allocate(pixels);
@@ -57,8 +60,7 @@ ImageBuilder::ImageBuilder(const traces::Scene& scene, hw::MemoryImage& image)
   textures.reserve(scene.textures.size());
   for (const traces::Texture& texture : scene.textures) textures.push_back(add_texture(texture));
   materials_ = add_materials(textures);
-  static_ = add_geometry(scene.static_geometry, false, 0, scene.name + ": static geometry");
-  static_depth_ = static_.tree.depth;
+  static_ = add_geometry(scene.static_geometry, accel.static_kind, false, 0, scene.name + ": static geometry");
   shared_top_ = image_.size();
 }
 
@@ -100,25 +102,31 @@ hw::Address ImageBuilder::add_materials(const std::vector<hw::Address>& textures
   return base;
 }
 
-ImageBuilder::Geometry ImageBuilder::add_geometry(const traces::Mesh& mesh, bool dynamic, std::uint32_t first_id,
-                                                  const std::string& where) {
+ImageBuilder::Geometry ImageBuilder::add_geometry(const traces::Mesh& mesh, hw::TreeKind kind, bool dynamic,
+                                                  std::uint32_t first_id, const std::string& where) {
   Geometry geometry;
-  geometry.tree = build_tree(mesh, dynamic, where);
+  geometry.tree = build_tree(mesh, kind, dynamic, where);
   Tree& tree = geometry.tree;
-  geometry.node_count = tree.nodes.size();
-  geometry.nodes = image_.allocate(tree.nodes.size() * sizeof(hw::NodeRecord));
-  if (!tree.nodes.empty()) {
-    std::memcpy(&image_.at<hw::NodeRecord>(geometry.nodes), tree.nodes.data(),
-                tree.nodes.size() * sizeof(hw::NodeRecord));
-  }
+  geometry.nodes = image_.allocate(tree.nodes.size());
+  if (!tree.nodes.empty()) std::memcpy(&image_.at<std::uint8_t>(geometry.nodes), tree.nodes.data(), tree.nodes.size());
   geometry.triangles = image_.allocate(tree.order.size() * sizeof(hw::TriangleRecord));
-  geometry.attributes = image_.allocate(tree.order.size() * sizeof(hw::AttributeRecord));
+  geometry.attributes = image_.allocate(mesh.triangle_count() * sizeof(hw::AttributeRecord));
+  // Attributes lie in the order in which the leaves first name their triangles: a BVH's have the same index as these.
+  constexpr std::uint32_t unplaced = ~std::uint32_t{0};
+  std::vector<std::uint32_t> place(mesh.triangle_count(), unplaced);
+  std::uint32_t placed = 0;
   for (std::size_t i = 0; i < tree.order.size(); ++i) {
+    const std::uint32_t triangle = tree.order[i];
+    if (place[triangle] == unplaced) {
+      place[triangle] = placed++;
+      image_.at<hw::AttributeRecord>(geometry.attributes + place[triangle] * sizeof(hw::AttributeRecord)) =
+          attribute_record(mesh, triangle);
+    }
     image_.at<hw::TriangleRecord>(geometry.triangles + i * sizeof(hw::TriangleRecord)) =
-        triangle_record(mesh, tree.order[i], first_id + tree.order[i]);
-    image_.at<hw::AttributeRecord>(geometry.attributes + i * sizeof(hw::AttributeRecord)) =
-        attribute_record(mesh, tree.order[i]);
+        triangle_record(mesh, triangle, first_id + triangle, place[triangle]);
   }
+  geometry.node_lines = static_cast<std::uint32_t>((tree.nodes.size() + 63) / 64);
+  geometry.references = static_cast<std::uint32_t>(tree.order.size());
   tree.nodes = {};
   tree.order = {};
   return geometry;
@@ -140,13 +148,16 @@ hw::Address ImageBuilder::add(const traces::Frame& frame) {
   // The builder's input: triangles in the mesh's order, a line each; its scratch: 16 bytes a triangle.
   const hw::Address input = image_.allocate(count * 64);
   const hw::Address scratch = image_.allocate(count * 16);
-  const Geometry dynamic = add_geometry(
-      frame.dynamic, true, static_cast<std::uint32_t>(scene_.static_geometry.triangle_count()), where);
-  dynamic_depth_ = dynamic.tree.depth;
+  const Geometry dynamic = add_geometry(frame.dynamic, accel_.dynamic_kind, true,
+                                        static_cast<std::uint32_t>(scene_.static_geometry.triangle_count()), where);
+  // The root of one tree waits on the stack while the other is walked.
+  stack_needed_ = std::max(static_.tree.stack, dynamic.tree.stack) + 1;
 
   hw::FrameDescriptor d{};
   d.width = scene_.width;
   d.height = scene_.height;
+  d.static_kind = static_.tree.kind;
+  d.dynamic_kind = dynamic.tree.kind;
   d.static_root = static_.tree.root;
   d.dynamic_root = dynamic.tree.root;
   d.static_lo = static_.tree.lo;
@@ -168,7 +179,8 @@ hw::Address ImageBuilder::add(const traces::Frame& frame) {
   d.pitch = pitch_;
   d.light_count = static_cast<std::uint32_t>(frame.lights.size());
   d.dynamic_triangle_count = static_cast<std::uint32_t>(count);
-  d.dynamic_node_count = static_cast<std::uint32_t>(dynamic.node_count);
+  d.dynamic_reference_count = dynamic.references;
+  d.dynamic_node_lines = dynamic.node_lines;
   d.dynamic_moved = frame.dynamic_moved ? 1 : 0;
   const traces::Camera& camera = frame.camera;
   d.camera = {vector(camera.origin), vector(camera.origin_du), vector(camera.origin_dv),

@@ -26,7 +26,7 @@ class Context {
 };
 
 hw::RunMode mode_of(const SimulationOptions& options) {
-  return {options.clocked, options.shuffle_ticks, options.random_stall, options.seed};
+  return {options.clocked, options.shuffle_ticks, options.random_stall, options.seed, options.log, options.log_sink};
 }
 
 std::uint64_t sum(const hw::Statistics& statistics, const std::string& name) {
@@ -43,14 +43,27 @@ struct Simulator::Impl {
   Impl(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options)
       : scene(scene),
         config(config),
-        builder(scene, image),
+        builder(scene, config.accel, image),
         unit("unit", config, mode_of(options), image, options.fault) {}
 
+  /// A rule of the log that fits no block is a mistake of whoever wrote it.
+  void check_log(const std::vector<hw::LogRule>& rules) const {
+    for (const hw::LogRule& rule : rules) {
+      bool known = rule.block == "*";
+      std::string some;
+      for (const std::string& path : unit.block_paths()) {
+        known = known || hw::fits(rule, path);
+        some += (some.empty() ? "" : ", ") + path;
+      }
+      if (!known) throw InputError("--log", "no block \"" + rule.block + "\"; there are " + some);
+    }
+  }
+
   void check_stack(const traces::Frame& frame) const {
-    const std::uint32_t depth = std::max(builder.static_depth(), builder.dynamic_depth()) + 1;
-    if (depth > config.core.stack_entries) {
+    const std::uint32_t needed = builder.stack_needed();
+    if (needed > config.core.stack_entries) {
       throw InputError(scene.name + ": frame " + std::to_string(frame.index),
-                       "the tree needs a stack of " + std::to_string(depth) + " entries; core.stack_entries is " +
+                       "the tree needs a stack of " + std::to_string(needed) + " entries; core.stack_entries is " +
                            std::to_string(config.core.stack_entries));
     }
   }
@@ -64,7 +77,9 @@ struct Simulator::Impl {
 };
 
 Simulator::Simulator(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options)
-    : impl_(std::make_unique<Impl>(scene, config, options)) {}
+    : impl_(std::make_unique<Impl>(scene, config, options)) {
+  impl_->check_log(options.log);
+}
 
 Simulator::~Simulator() { impl_->context.enter(); }
 

@@ -17,18 +17,20 @@ namespace artu::sim {
 
 /// How the model is run; only `fault` changes a pixel, only `random_stall` and `fault` change cycles.
 struct SimulationOptions {
-  bool clocked = false;           // tick every block in every cycle, not only those that are awake
-  bool random_stall = false;      // random extra latency on every channel
-  bool shuffle_ticks = false;     // random order of blocks within each cycle
-  std::uint64_t seed = 1;         // of the two above
-  hw::Fault fault;                // a datapath's result is falsified, to show that a check sees it
+  bool clocked = false;          // tick every block in every cycle, not only those that are awake
+  bool random_stall = false;     // random extra latency on every channel
+  bool shuffle_ticks = false;    // random order of blocks within each cycle
+  std::uint64_t seed = 1;        // of the two above
+  std::vector<hw::LogRule> log;  // which blocks write to the log
+  hw::LogSink log_sink;          // where to; needed where there is a rule
+  hw::Fault fault;               // a datapath's result is falsified, to show that a check sees it
 };
 
 /// One frame as the unit rendered it.
 struct FrameOutcome {
-  std::uint32_t index = 0;              // Frame::index
+  std::uint32_t index = 0;  // Frame::index
   std::uint32_t width = 0, height = 0;
-  std::uint64_t cycles = 0;             // of the unit's clock, from start to the last write-back
+  std::uint64_t cycles = 0;  // of the unit's clock, from start to the last write-back
   std::uint64_t static_triangles = 0, dynamic_triangles = 0;
   std::uint64_t rays_primary = 0, rays_shadow = 0, rays_reflection = 0, rays_refraction = 0;
   std::uint64_t node_visits = 0, triangle_tests = 0;

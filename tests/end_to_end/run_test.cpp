@@ -219,6 +219,21 @@ TEST_F(RunTest, ListsNameWhatThereIs) {
   }
 }
 
+TEST_F(RunTest, TheLogSaysWhatABlockDoes) {
+  const Finished info = fine({"run", "tiny.obj", "--size", "4x4", "-o", "a", "--log", "l2=info"});
+  EXPECT_THAT(info.err, HasSubstr(" l2: phase selective"));
+  EXPECT_THAT(info.err, Not(HasSubstr("busy")));
+  const Finished debug =
+      fine({"run", "tiny.obj", "--size", "4x4", "-o", "b", "--log", "*=info", "--log", "core0=debug"});
+  EXPECT_THAT(debug.err, HasSubstr(" core0.shading: busy"));
+  EXPECT_THAT(debug.err, Not(HasSubstr(" core1.shading: busy")));
+  EXPECT_EQ(repeatable_stats("a"), repeatable_stats("b")) << "looking changes nothing";
+  const Finished wrong = artu({"run", "tiny.obj", "-o", "c", "--log", "core9=debug"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("no block \"core9\""));
+  EXPECT_EQ(artu({"run", "tiny.obj", "-o", "c", "--log", "l2"}).code, 2);
+}
+
 TEST_F(RunTest, DryRunWritesNothing) {
   EXPECT_THAT(fine({"run", "tiny.obj", "--size", "8x8", "--dry-run", "-o", "out"}).out, HasSubstr("nothing was run"));
   EXPECT_THAT(content(), ElementsAre("tiny.obj"));

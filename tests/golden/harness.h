@@ -16,7 +16,8 @@ struct Rendered {
   sim::CheckResult check;
 };
 
-inline Rendered run(const TestScene& test, const hw::UnitConfig& config = {}, const sim::SimulationOptions& options = {}) {
+inline Rendered run(const TestScene& test, const hw::UnitConfig& config = {},
+                    const sim::SimulationOptions& options = {}) {
   Rendered run;
   sim::Simulator simulator(test.scene, config, options);
   const ref::Golden golden(test.scene, sim::golden_settings(config));

@@ -28,7 +28,7 @@ struct Surfaces {
       scene.ray(slot, 1, 1);
       RayContext& context = scene.contexts[slot];
       context.best = {5, 4, 4, 16};  // t, U, V, det: a quarter, a quarter, a half
-      context.best_triangle = 3;
+      context.best_triangle = context.best_attributes = 3;
     }
   }
   Bench bench;

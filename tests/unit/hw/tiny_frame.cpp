@@ -21,7 +21,7 @@ TinyFrame::TinyFrame(std::uint32_t width, std::uint32_t height) : width(width), 
   f.build_input = image.allocate(64);
   f.build_scratch = image.allocate(64);
   f.light_count = 1;
-  f.dynamic_triangle_count = f.dynamic_node_count = 1;
+  f.dynamic_triangle_count = f.dynamic_reference_count = f.dynamic_node_lines = 1;
   // The camera looks down the z axis from z = 10 and sees x, y = -5 ... 5 at z = 0.
   f.camera.origin = {0, 0, 10};
   f.camera.corner = {-1, 1, -2};

@@ -12,11 +12,13 @@ inline constexpr Cycle hit_latency = 2;  // of the caches, which always hit here
 inline constexpr auto leaf = NodeReference::leaf;
 inline constexpr auto inner = NodeReference::inner;
 
+inline constexpr RayCoreConfig core_config{};
+
 struct Walker {
   explicit Walker(std::size_t contexts = 64)
       : scene(contexts),
-        traversal(
-            bench.block<Traversal>("traversal", scene.registers, scene.image, scene.contexts, scene.pipelines.box)),
+        traversal(bench.block<Traversal>("traversal", scene.registers, scene.image, scene.contexts, core_config,
+                                         scene.pipelines)),
         intersection(bench.block<Intersection>("intersection", scene.registers, scene.image, scene.contexts)),
         tested(bench.fifo<Slot>("tested", static_cast<std::uint32_t>(contexts), scene.pipelines.triangle)),
         node_memory(bench.block<ScriptedMemory>("node_memory", nodes, hit_latency, hit_latency)),

@@ -18,8 +18,8 @@ struct Builder {
         command(bench.block<Source<BuildToken>>("command", build)),
         answer(bench.block<Sink<BuildToken>>("answer", built)) {
     FrameDescriptor& frame = registers.descriptor;
-    frame.dynamic_triangle_count = triangles;
-    frame.dynamic_node_count = triangles - 1;
+    frame.dynamic_triangle_count = frame.dynamic_reference_count = triangles;
+    frame.dynamic_node_lines = triangles - 1;
     frame.build_input = 1 << 20;
     frame.build_scratch = 2 << 20;
     frame.dynamic_nodes = 3 << 20;

@@ -11,6 +11,9 @@ struct Known {
   std::size_t triangles, moving;
 };
 
+/// Or the test's name in a listing would be the struct's bytes.
+void PrintTo(const Known& known, std::ostream* out) { *out << known.file; }
+
 class RealScene : public ::testing::TestWithParam<Known> {};
 
 TEST_P(RealScene, HasItsTrianglesAndMovesThem) {

@@ -1,0 +1,84 @@
+#include "sim/stress/stress.h"
+
+#include <algorithm>
+
+#include "sim/stress/campaign.h"
+#include "sim/stress/random.h"
+#include "sim/stress/subjects.h"
+
+namespace artu::sim {
+namespace {
+
+/// Up to here brute force answers every ray, beyond it as many as these triangle tests buy.
+constexpr std::uint64_t small_mesh = 1500, brute_force_tests = 1000000, brute_force_tests_a_ray = 100;
+/// Where every ray meets every triangle: tests that a subject may spend on a case.
+constexpr std::uint64_t overlapping_tests = 20000000;
+
+std::uint64_t stride(std::uint64_t rays, std::uint64_t triangles) {
+  if (triangles <= small_mesh) return 1;
+  const std::uint64_t sample = std::max(brute_force_tests, rays * brute_force_tests_a_ray) / triangles;
+  if (sample >= rays) return 1;
+  std::uint64_t every = rays / std::max<std::uint64_t>(sample, 1);
+  // Prime to the number of kinds of rays (10), or only some kinds would be met.
+  while (every % 2 == 0 || every % 5 == 0) ++every;
+  return every;
+}
+
+ref::Extent extent_of(const Cube& cube) {
+  ref::Extent box;
+  const hw::Vector c = cube.center;
+  const double half = cube.half;
+  box.add({c.x - half, c.y - half, c.z - half});
+  box.add({c.x + half, c.y + half, c.z + half});
+  return box;
+}
+
+}  // namespace
+
+CaseResult run_case(const StressCase& name, std::uint64_t rays, const StressOptions& options) {
+  const StressGeometry geometry = placed(make_mesh(name.mesh, options.seed, !options.only.empty()), name.placement);
+  const std::vector<Corners> triangles = corners_of(geometry);
+
+  CampaignPlan plan;
+  plan.seed = Random::mix(options.seed) ^ Random::hash(name.name());
+  plan.rays = rays;
+  if (name.mesh == "identical") {
+    plan.rays = std::max<std::uint64_t>(std::min(rays, overlapping_tests / triangles.size()), 20);
+  }
+  plan.slow_every = stride(plan.rays, triangles.size());
+
+  const RaySource source(StressGeometry{}, triangles, plan.seed);
+  const ref::Extent near = extent_of(source.near_origins());
+  const auto tracer = std::make_shared<const ref::Tracer>(geometry.fixed, geometry.dynamic, near);
+  const auto far = std::make_shared<const ref::Tracer>(geometry.fixed, geometry.dynamic, extent_of(source.origins()));
+  const SubjectPointer truth = brute_force(triangles), reference = golden_brute_force(tracer);
+  std::vector<SubjectPointer> fast;
+  for (const hw::TreeKind kind : {hw::TreeKind::bvh2, hw::TreeKind::bvh4, hw::TreeKind::bvh8, hw::TreeKind::kd}) {
+    fast.push_back(walker(kind_name(kind), lay_down(geometry, kind)));
+  }
+  fast.push_back(golden_traversal(tracer, near, far));
+  Contest contest;
+  contest.truth = truth.get();
+  contest.slow = {reference.get()};
+  for (const SubjectPointer& subject : fast) contest.fast.push_back(subject.get());
+  return Campaign(name, geometry, triangles, contest, plan).run();
+}
+
+StressReport run_stress(const StressOptions& options, const CaseDone& done) {
+  StressReport report;
+  report.options = options;
+  const std::vector<StressCase> cases = stress_cases(options.only);
+  std::uint64_t count = 0;
+  for (const StressCase& one : cases) count += is_available(one.mesh) ? 1 : 0;
+  for (const StressCase& one : cases) {
+    if (is_available(one.mesh)) {
+      report.cases.push_back(run_case(one, std::max<std::uint64_t>(options.rays / count, 1), options));
+    } else {
+      report.skipped.push_back(one.name());
+    }
+    done();
+  }
+  return report;
+}
+
+}  // namespace artu::sim

@@ -1,0 +1,170 @@
+#include "sim/stress/subjects.h"
+
+#include <cstring>
+
+#include "sim/driver/tree.h"
+
+namespace artu::sim {
+namespace {
+
+class BruteForce : public Subject {
+ public:
+  explicit BruteForce(const std::vector<Corners>& triangles) : Subject("brute"), triangles_(triangles) {}
+
+  Answer closest(const hw::Ray& ray) const override {
+    hw::Found found;
+    hw::TriangleHit hit;
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+      const Corners& t = triangles_[i];
+      if (hw::intersect(ray, t[0], t[1], t[2], hit)) hw::consider(hit, i, i, false, found);
+    }
+    return answer_of(found);
+  }
+  bool occluded(const hw::Ray& ray) const override {
+    hw::TriangleHit hit;
+    for (const Corners& t : triangles_) {
+      if (hw::intersect(ray, t[0], t[1], t[2], hit)) return true;
+    }
+    return false;
+  }
+
+ private:
+  const std::vector<Corners>& triangles_;
+};
+
+class Walker : public Subject {
+ public:
+  Walker(std::string name, std::shared_ptr<const LaidDown> laid) : Subject(std::move(name)), laid_(std::move(laid)) {}
+
+  Answer closest(const hw::Ray& ray) const override {
+    return answer_of(hw::walk(laid_->frame, laid_->image, ray, false));
+  }
+  bool occluded(const hw::Ray& ray) const override { return hw::walk(laid_->frame, laid_->image, ray, true).hit; }
+
+ private:
+  std::shared_ptr<const LaidDown> laid_;
+};
+
+traces::Vec3 plain(hw::Vector v) { return {v.x, v.y, v.z}; }
+
+Answer answer_of(const ref::TracedHit& traced) {
+  if (!traced.hit) return {};
+  return {true, static_cast<std::uint32_t>(traced.primitive), {traced.t, traced.u, traced.v, traced.det}};
+}
+
+class GoldenTraversal : public Subject {
+ public:
+  GoldenTraversal(std::shared_ptr<const ref::Tracer> near, const ref::Extent& origins,
+                  std::shared_ptr<const ref::Tracer> far)
+      : Subject("embree"), near_(std::move(near)), origins_(origins), far_(std::move(far)) {}
+
+  Answer closest(const hw::Ray& ray) const override {
+    return answer_of(tracer(ray).closest(plain(ray.origin), plain(ray.direction), ray.tmax));
+  }
+  bool occluded(const hw::Ray& ray) const override {
+    return tracer(ray).occluded(plain(ray.origin), plain(ray.direction), ray.tmax);
+  }
+
+ private:
+  const ref::Tracer& tracer(const hw::Ray& ray) const {
+    for (int i = 0; i < 3; ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      if (!(origins_.lo[axis] <= ray.origin[i] && ray.origin[i] <= origins_.hi[axis])) return *far_;
+    }
+    return *near_;
+  }
+
+  std::shared_ptr<const ref::Tracer> near_;
+  ref::Extent origins_;
+  std::shared_ptr<const ref::Tracer> far_;
+};
+
+class GoldenBruteForce : public Subject {
+ public:
+  explicit GoldenBruteForce(std::shared_ptr<const ref::Tracer> tracer) : Subject("ref"), tracer_(std::move(tracer)) {}
+
+  Answer closest(const hw::Ray& ray) const override {
+    return answer_of(tracer_->closest_of_all(plain(ray.origin), plain(ray.direction), ray.tmax));
+  }
+  bool occluded(const hw::Ray& ray) const override {
+    return tracer_->occluded_by_any(plain(ray.origin), plain(ray.direction), ray.tmax);
+  }
+
+ private:
+  std::shared_ptr<const ref::Tracer> tracer_;
+};
+
+struct LaidClass {
+  hw::Address nodes, triangles;
+  Tree tree;
+};
+
+LaidClass lay_class(const traces::Mesh& mesh, hw::TreeKind kind, bool dynamic, std::uint32_t first_id,
+                    hw::MemoryImage& image) {
+  LaidClass laid{};
+  laid.tree = build_tree(mesh, kind, dynamic, "stress");
+  const Tree& tree = laid.tree;
+  laid.nodes = image.allocate(tree.nodes.size());
+  if (!tree.nodes.empty()) std::memcpy(&image.at<std::uint8_t>(laid.nodes), tree.nodes.data(), tree.nodes.size());
+  laid.triangles = image.allocate(tree.order.size() * sizeof(hw::TriangleRecord));
+  for (std::size_t i = 0; i < tree.order.size(); ++i) {
+    auto& record = image.at<hw::TriangleRecord>(laid.triangles + i * sizeof(hw::TriangleRecord));
+    const auto corner = [&](std::size_t j) -> hw::Vector {
+      const traces::Vec3& p = mesh.positions[mesh.indices[3 * std::size_t{tree.order[i]} + j]];
+      return {p.x, p.y, p.z};
+    };
+    record.a = corner(0);
+    record.b = corner(1);
+    record.c = corner(2);
+    record.primitive = first_id + tree.order[i];
+  }
+  return laid;
+}
+
+}  // namespace
+
+std::shared_ptr<const LaidDown> lay_down(const StressGeometry& geometry, hw::TreeKind kind) {
+  auto laid = std::make_shared<LaidDown>();
+  const auto static_count = static_cast<std::uint32_t>(geometry.fixed.triangle_count());
+  const LaidClass fixed = lay_class(geometry.fixed, kind, false, 0, laid->image);
+  const LaidClass dynamic = lay_class(geometry.dynamic, kind, true, static_count, laid->image);
+  hw::FrameDescriptor& frame = laid->frame;
+  frame.static_kind = frame.dynamic_kind = kind;
+  frame.static_root = fixed.tree.root;
+  frame.dynamic_root = dynamic.tree.root;
+  frame.static_lo = fixed.tree.lo;
+  frame.static_hi = fixed.tree.hi;
+  frame.dynamic_lo = dynamic.tree.lo;
+  frame.dynamic_hi = dynamic.tree.hi;
+  frame.static_nodes = fixed.nodes;
+  frame.dynamic_nodes = dynamic.nodes;
+  frame.static_triangles = fixed.triangles;
+  frame.dynamic_triangles = dynamic.triangles;
+  return laid;
+}
+
+SubjectPointer brute_force(const std::vector<Corners>& triangles) { return std::make_unique<BruteForce>(triangles); }
+
+SubjectPointer walker(std::string name, std::shared_ptr<const LaidDown> laid) {
+  return std::make_unique<Walker>(std::move(name), std::move(laid));
+}
+
+SubjectPointer golden_traversal(std::shared_ptr<const ref::Tracer> tracer) {
+  return std::make_unique<GoldenTraversal>(tracer, ref::Extent(), tracer);
+}
+
+SubjectPointer golden_traversal(std::shared_ptr<const ref::Tracer> near, const ref::Extent& origins,
+                                std::shared_ptr<const ref::Tracer> far) {
+  return std::make_unique<GoldenTraversal>(std::move(near), origins, std::move(far));
+}
+
+SubjectPointer golden_brute_force(std::shared_ptr<const ref::Tracer> tracer) {
+  return std::make_unique<GoldenBruteForce>(std::move(tracer));
+}
+
+const char* kind_name(hw::TreeKind kind) {
+  static constexpr const char* names[] = {"bvh2", "bvh4", "bvh8", "kd"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace artu::sim
