@@ -22,6 +22,12 @@ Ray make_ray(const Vec3& origin, const Vec3& direction, float tmax) {
   ray.tmax = tmax;
   ray.inv = {inverse(direction.x), inverse(direction.y), inverse(direction.z)};
 
+  ray.any_limited = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    ray.limited[axis] = !(std::fabs(1.0f / component(direction, axis)) < 0x1p100f);
+    ray.any_limited = ray.any_limited || ray.limited[axis];
+  }
+
   const float ax = std::fabs(direction.x), ay = std::fabs(direction.y), az = std::fabs(direction.z);
   ray.kz = 0;
   if (ay > ax) ray.kz = 1;

@@ -15,7 +15,9 @@ struct Ray {
   Vec3 direction;  // of any length; `t` is in units of it
   float tmax = no_tmax;
 
-  Vec3 inv;          // 1 / direction, at most 2^100 in magnitude, never NaN
+  Vec3 inv;         // 1 / direction, at most 2^100 in magnitude, never NaN
+  bool limited[3];  // axes on which that limit was reached
+  bool any_limited;
   int kx, ky, kz;    // axes of the triangle test: kz is the largest of |direction|
   float sx, sy, sz;  // its shear
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "ref/ray.h"
@@ -29,12 +30,30 @@ struct Interval {
   float enter, exit;
 };
 
+/// One axis of the slab test where the ray runs along it so little that its inverse was limited: all or, for a
+/// direction of zero, nothing, by whether the slab holds the origin; else as on any axis.
+inline void limited_slab(float lo, float hi, float origin, float direction, float& near, float& far) {
+  if (lo <= origin && origin <= hi) {
+    near = -HUGE_VALF;
+    far = HUGE_VALF;
+  } else if (direction == 0) {
+    near = HUGE_VALF;
+    far = -HUGE_VALF;
+  }
+}
+
 /// The ray's interval in a box, without tmin and tmax; empty where enter > exit.
 inline Interval box_interval(const Ray& ray, const Box& box) {
   const Vec3 a = (box.lo - ray.origin) * ray.inv, b = (box.hi - ray.origin) * ray.inv;
   constexpr float padding = 1.0f + 0x1p-21f;
-  return {max(max(min(a.x, b.x), min(a.y, b.y)), min(a.z, b.z)),
-          min(min(max(a.x, b.x), max(a.y, b.y)), max(a.z, b.z)) * padding};
+  Vec3 near{min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)}, far{max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)};
+  if (ray.any_limited) {
+    const Vec3 &o = ray.origin, &d = ray.direction;
+    if (ray.limited[0]) limited_slab(box.lo.x, box.hi.x, o.x, d.x, near.x, far.x);
+    if (ray.limited[1]) limited_slab(box.lo.y, box.hi.y, o.y, d.y, near.y, far.y);
+    if (ray.limited[2]) limited_slab(box.lo.z, box.hi.z, o.z, d.z, near.z, far.z);
+  }
+  return {max(max(near.x, near.y), near.z), min(min(far.x, far.y), far.z) * padding};
 }
 
 inline bool meets(const Ray& ray, const Box& box) {

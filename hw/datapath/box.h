@@ -11,8 +11,12 @@ struct Interval {
   float enter, exit;
 };
 
+/// The interval of a box for a ray with limited axes; see box_interval.
+Interval limited_box_interval(const Ray& ray, Vector lo, Vector hi);
+
 /// The interval of the box alone, without tmin and tmax.
 inline Interval box_interval(const Ray& ray, Vector lo, Vector hi) {
+  if (ray.limited != 0) return limited_box_interval(ray, lo, hi);
   const Vector a = (lo - ray.origin) * ray.inverse;
   const Vector b = (hi - ray.origin) * ray.inverse;
   const float enter = maximum(maximum(minimum(a.x, b.x), minimum(a.y, b.y)), minimum(a.z, b.z));

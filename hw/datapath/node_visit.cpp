@@ -38,8 +38,12 @@ void visit_kd(const KdNodeRecord& node, const Ray& ray, const Step& from, float 
   float plane = (node.split - ray.origin[axis]) * inverse;
   if (fault != 0) plane = float_of(bits_of(plane) ^ fault);
   const int near = std::signbit(inverse) ? 1 : 0;
-  add(node.child[near], from.enter, minimum(from.exit, plane * box_padding));
-  add(node.child[1 - near], maximum(from.enter, plane), from.exit);
+  // On a limited axis the side that holds the origin keeps the whole interval.
+  const float o = ray.origin[axis];
+  const bool limited = (ray.limited >> axis & 1) != 0;
+  const bool holds[2] = {limited && o <= node.split, limited && o >= node.split};
+  add(node.child[near], from.enter, holds[near] ? from.exit : minimum(from.exit, plane * box_padding));
+  add(node.child[1 - near], holds[1 - near] ? from.enter : maximum(from.enter, plane), from.exit);
 }
 
 }  // namespace

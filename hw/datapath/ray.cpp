@@ -21,6 +21,10 @@ float limited_inverse(float d) {
 void set_up(Ray& ray) {
   const Vector d = ray.direction;
   ray.inverse = {limited_inverse(d.x), limited_inverse(d.y), limited_inverse(d.z)};
+  ray.limited = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(std::fabs(1.0f / d[axis]) < two_pow_100)) ray.limited |= static_cast<std::uint8_t>(1 << axis);
+  }
   int kz = 0;
   if (std::fabs(d.y) > std::fabs(d[kz])) kz = 1;
   if (std::fabs(d.z) > std::fabs(d[kz])) kz = 2;

@@ -12,6 +12,7 @@ struct Ray {
   Vector inverse;                // 1 / direction, limited to 2^100 in magnitude
   float sx = 0, sy = 0, sz = 0;  // shear
   std::uint8_t kx = 0, ky = 1, kz = 2;
+  std::uint8_t limited = 0;  // axes (bits) whose inverse was limited: the ray is parallel to them, or nearly
 };
 
 /// The pixel ray's camera: see traces' camera, whose fields these are.

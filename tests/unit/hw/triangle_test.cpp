@@ -49,14 +49,28 @@ TEST(Triangle, IsHitFromBothSidesAndAlongEveryAxis) {
   }
 }
 
+TEST(Triangle, ARayInAFaceOfItsBoxGetsItsOwnT) {
+  // 0 * inv = 0 must not become an end of the box's interval, to which the clamp would pull t.
+  const Vector p{0, 0, -5}, q{0, 1, 1}, r{1, 0, -5};
+  TriangleHit hit;
+  EXPECT_FALSE(intersect(ray_from({0, 0.25f, 0}, {0, 0, 1}), p, q, r, hit)) << "behind the origin, by 3.5";
+  for (float zero : {0.0f, -0.0f}) {
+    ASSERT_TRUE(intersect(ray_from({0, 0.25f, -4}, {zero, 0, 1}), p, q, r, hit));
+    EXPECT_EQ(hit.t, 0.5f);
+    // A component so small that its inverse is limited counts as none where the slab holds the origin.
+    ASSERT_TRUE(intersect(ray_from({0, 0.25f, -4}, {0x1p-120f, 0, 1}), p, q, r, hit));
+    EXPECT_EQ(hit.t, 0.5f);
+  }
+}
+
 TEST(Triangle, EdgesAndCornersBelongToIt) {
   TriangleHit hit;
   EXPECT_TRUE(hit_at(2, 0, hit));
   EXPECT_TRUE(hit_at(2, 2, hit));
   EXPECT_TRUE(hit_at(0, 0, hit));
-  // In the upper face of its bounding box it is outside of it for a ray exactly parallel to that face, as section 3
-  // says ((hi - o) * inv is 0), and inside for all others.
-  EXPECT_FALSE(hit_at(0, 4, hit));
+  // In a face of its bounding box too, for a ray exactly parallel to that face.
+  EXPECT_TRUE(hit_at(0, 4, hit));
+  EXPECT_EQ(hit.t, 3.0f);
   EXPECT_TRUE(intersect(ray_from({0, 4, 4}, {0, -0x1p-60f, -1}), a, b, c, hit));
   EXPECT_FALSE(hit_at(2, -0x1p-20f, hit));
   EXPECT_FALSE(hit_at(2, 2.000001f, hit));

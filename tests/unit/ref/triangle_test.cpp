@@ -106,10 +106,11 @@ TEST(Box, ZeroDirectionComponents) {
   EXPECT_TRUE(meets(make_ray({0.5f, 0.5f, 0}, {-0.0f, -0.0f, 1}), box));
   EXPECT_FALSE(meets(make_ray({1.5f, 0.5f, 0}, {0, 0, 1}), box));
   EXPECT_FALSE(meets(make_ray({-0x1p-60f, 0.5f, 0}, {0, 0, 1}), box));
-  // 0 * inv is 0, so a box is half open to a ray parallel to its faces: closed below for +0, above for -0.
+  // A box is closed to a ray parallel to its faces, whatever the sign of the zero.
   EXPECT_TRUE(meets(make_ray({0, 0.5f, 0}, {0, 0, 1}), box));
-  EXPECT_FALSE(meets(make_ray({1, 0.5f, 0}, {0, 0, 1}), box));
-  EXPECT_FALSE(meets(make_ray({0, 0.5f, 0}, {-0.0f, 0, 1}), box));
+  EXPECT_TRUE(meets(make_ray({1, 0.5f, 0}, {0, 0, 1}), box));
+  EXPECT_TRUE(meets(make_ray({0, 0.5f, 0}, {-0.0f, 0, 1}), box));
+  EXPECT_FALSE(meets(make_ray({1.0000001f, 0.5f, 0}, {-0.0f, 0, 1}), box));
   EXPECT_TRUE(meets(make_ray({1, 0.5f, 0}, {-0.0f, 0, 1}), box));
 }
 

@@ -1,6 +1,9 @@
 // Walkers that are wrong on purpose, over the same image records as the unit's: the product's code has no hooks.
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 #include "sim/stress/campaign.h"
 #include "sim/stress/meshes.h"
 #include "sim/stress/subjects.h"
@@ -16,11 +19,18 @@ struct Rules {
 };
 
 inline hw::Interval interval(const hw::Ray& ray, hw::Vector lo, hw::Vector hi, float padding) {
-  const hw::Vector a = (lo - ray.origin) * ray.inverse, b = (hi - ray.origin) * ray.inverse;
-  using hw::maximum;
-  using hw::minimum;
-  return {maximum(maximum(minimum(a.x, b.x), minimum(a.y, b.y)), minimum(a.z, b.z)),
-          minimum(minimum(maximum(a.x, b.x), maximum(a.y, b.y)), maximum(a.z, b.z)) * padding};
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  hw::Interval all{-infinity, infinity};
+  for (int axis = 0; axis < 3; ++axis) {
+    const float o = ray.origin[axis], inverse = ray.inverse[axis];
+    const bool limited = std::fabs(inverse) == 0x1p100f;
+    const bool inside = lo[axis] <= o && o <= hi[axis];
+    if (limited && inside) continue;
+    if (limited && ray.direction[axis] == 0) return {infinity, -infinity};
+    const float a = (lo[axis] - o) * inverse, b = (hi[axis] - o) * inverse;
+    all = {hw::maximum(all.enter, hw::minimum(a, b)), hw::minimum(all.exit, hw::maximum(a, b))};
+  }
+  return {all.enter, all.exit * padding};
 }
 
 inline float determinant(float a, float b, float c, float d, bool exact) {
