@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "hw/unit_config.h"
+#include "sim/config/edit_distance.h"
 #include "sim/config/path_visitor.h"
 #include "sim/config/text.h"
 
@@ -44,21 +45,6 @@ Lister list() {
   Lister lister;
   defaults.visit(lister);
   return lister;
-}
-
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i - 1] != b[j - 1]);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
-    }
-  }
-  return row[b.size()];
 }
 
 std::string last_component(const std::string& path) { return path.substr(path.rfind('.') + 1); }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "sim/config/edit_distance.h"
 #include "sim/stress/meshes.h"
 #include "sim/stress/random.h"
 #include "traces/error.h"
@@ -12,22 +13,6 @@ namespace artu::sim {
 namespace {
 
 constexpr const char* bunny_file = "/usr/share/glmark2/models/bunny.obj";
-
-/// Levenshtein's, on one row.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
 
 std::string nearest_of(const std::vector<std::string>& names, const std::string& wanted) {
   return *std::min_element(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
