@@ -18,6 +18,8 @@ std::string to_json(const Manifest& m) {
       {"random_stall", m.simulation.random_stall},
       {"shuffle", m.simulation.shuffle_ticks},
       {"seed", m.simulation.seed},
+      // A run with an injected fault is not one of the unit, and must not pass for it.
+      {"falsified", m.simulation.fault.datapath != hw::Datapath::none},
   };
   // A file name need not be UTF-8; JSON must be.
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -45,6 +45,9 @@ TEST_F(FaultTest, AReportOfAMismatchIsKept) {
   const Finished run = artu({"check", sample_, "--inject-fault", "shading", "-o", "out"});
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(read("out/stats.json"), HasSubstr("\"check\""));
+  EXPECT_THAT(read("out/manifest.json"), HasSubstr("\"falsified\": true"));
+  fine({"run", sample_, "-o", "sound"});
+  EXPECT_THAT(read("sound/manifest.json"), HasSubstr("\"falsified\": false"));
 }
 
 TEST_F(FaultTest, AUnitThatDoesNotMoveIsStopped) {
