@@ -10,6 +10,12 @@ void OperatorConfig::visit(ParameterVisitor& v) {
   v.integer("compare", compare, {1, 64}, "cycles", "latency of a comparison, minimum or maximum");
 }
 
+void PrecisionConfig::visit(ParameterVisitor& v) {
+  v.integer("box", box, {7, 23}, "bits", "stored fraction bits of box and plane tests; 23 is binary32");
+  v.integer("triangle", triangle, {7, 23}, "bits", "stored fraction bits of triangle tests; 23 is binary32");
+  v.integer("shading", shading, {7, 23}, "bits", "stored fraction bits of texture filter, light and colour");
+}
+
 void CacheConfig::visit(ParameterVisitor& v) {
   v.integer("size", size, {256, 1u << 26, true}, "bytes", "capacity");
   v.integer("ways", ways, {1, 64, true}, "", "associativity; at most size / line");
@@ -109,6 +115,9 @@ void UnitConfig::visit(ParameterVisitor& v) {
   v.leave();
   v.enter("accel", "acceleration structures");
   accel.visit(v);
+  v.leave();
+  v.enter("precision", "formats of the datapaths, with 8 exponent bits");
+  precision.visit(v);
   v.leave();
   v.enter("operators", "latencies of the arithmetic operators");
   operators.visit(v);

@@ -14,6 +14,12 @@ struct OperatorConfig {
   void visit(ParameterVisitor& v);
 };
 
+/// Stored fraction bits of the datapaths' formats (docs/arithmetic.md section 1); 23 is binary32.
+struct PrecisionConfig {
+  std::uint32_t box = 23, triangle = 23, shading = 23;
+  void visit(ParameterVisitor& v);
+};
+
 struct CacheConfig {
   std::uint32_t size = 16384;  // bytes
   std::uint32_t ways = 4;
@@ -91,6 +97,7 @@ struct UnitConfig {
   std::uint32_t watchdog = 1000000;  // cycles without a token moving: dead-lock
   RayCoreConfig core;
   AccelConfig accel;
+  PrecisionConfig precision;
   OperatorConfig operators;
   ShadingConfig shading;
   SelectiveConfig selective;

@@ -19,10 +19,6 @@ struct TraceContext {
   Hit best;
 };
 
-// What Embree may still cull by: a little behind the best hit, so that ties are never lost.  The constant makes it
-// positive: Embree compares distances as integers, to which a hit at t = -0 (legal) lies before everything.
-float embree_tfar(float t) { return t * (1.0f + 0x1p-18f) + 0x1p-100f; }
-
 // Embree stops the program at a ray that it thinks is not valid; the contract knows no such rays.
 bool embree_takes(const Ray& ray) {
   const auto fits = [](const Vec3& v) {
@@ -66,6 +62,11 @@ void EmbreeDevice::check(const char* what) const {
 
 void EmbreeScene::Release::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
 
+EmbreeScene::EmbreeScene(const EmbreeDevice& device, const HitTests& tests)
+    : device_(device),
+      tests_(tests),
+      tfar_factor_(1.0f + 32.0f / static_cast<float>(1 << tests.precision().narrower_test()) + 0x1p-18f) {}
+
 void EmbreeScene::set(const traces::Mesh& mesh, std::int64_t first_id) {
   scene_.reset();
   first_id_ = first_id;
@@ -80,6 +81,11 @@ void EmbreeScene::set(const traces::Mesh& mesh, std::int64_t first_id) {
   }
   extent_ = extent_of(triangles_);
 }
+
+// What Embree may still cull by: a little behind the best hit, so that ties are never lost; the narrower the tests, the
+// more.  The constant makes it positive: Embree compares distances as integers, to which a hit at t = -0 (legal) lies
+// before everything.
+float EmbreeScene::tfar(float t) const { return t * tfar_factor_ + 0x1p-100f; }
 
 Box EmbreeScene::padded(std::uint32_t triangle) const {
   const Box box = triangle_box(triangles_[triangle]);
@@ -127,17 +133,21 @@ void EmbreeScene::bounds_callback(const RTCBoundsFunctionArguments* args) {
 void EmbreeScene::intersect_callback(const RTCIntersectFunctionNArguments* args) {
   const auto& scene = *static_cast<const EmbreeScene*>(args->geometryUserPtr);
   auto& context = *reinterpret_cast<TraceContext*>(args->context);
+  const Triangle& triangle = scene.triangles_[args->primID];
   TriangleHit hit;
-  if (!intersect(*context.ray, scene.triangles_[args->primID], hit)) return;
+  if (scene.tests_.surely_misses(*context.ray, triangle)) return;
+  if (!scene.tests_.intersect(*context.ray, triangle, hit)) return;
   if (!improve(context.best, scene.first_id_ + args->primID, hit)) return;
-  reinterpret_cast<RTCRayHit*>(args->rayhit)->ray.tfar = embree_tfar(hit.t);
+  reinterpret_cast<RTCRayHit*>(args->rayhit)->ray.tfar = scene.tfar(hit.t);
 }
 
 void EmbreeScene::occluded_callback(const RTCOccludedFunctionNArguments* args) {
   const auto& scene = *static_cast<const EmbreeScene*>(args->geometryUserPtr);
   const auto& context = *reinterpret_cast<TraceContext*>(args->context);
+  const Triangle& triangle = scene.triangles_[args->primID];
   TriangleHit hit;
-  if (!intersect(*context.ray, scene.triangles_[args->primID], hit)) return;
+  if (scene.tests_.surely_misses(*context.ray, triangle)) return;
+  if (!scene.tests_.intersect(*context.ray, triangle, hit)) return;
   reinterpret_cast<RTCRay*>(args->ray)->tfar = -HUGE_VALF;  // Embree's sign for "occluded, stop"
 }
 
@@ -146,19 +156,19 @@ void EmbreeScene::closest(const Ray& ray, Hit& best) const {
   TriangleHit hit;
   if (!embree_takes(ray)) {
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-      if (intersect(ray, triangles_[i], hit)) improve(best, first_id_ + i, hit);
+      if (tests_.intersect(ray, triangles_[i], hit)) improve(best, first_id_ + i, hit);
     }
     return;
   }
   for (const std::uint32_t i : oversized_) {
-    if (intersect(ray, triangles_[i], hit)) improve(best, first_id_ + i, hit);
+    if (tests_.intersect(ray, triangles_[i], hit)) improve(best, first_id_ + i, hit);
   }
   TraceContext context;
   rtcInitIntersectContext(&context.embree);
   context.ray = &ray;
   context.best = best;
   RTCRayHit rayhit;
-  fill(rayhit.ray, ray, embree_tfar(best.id < 0 ? ray.tmax : best.at.t));
+  fill(rayhit.ray, ray, tfar(best.id < 0 ? ray.tmax : best.at.t));
   rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_.get(), &context.embree, &rayhit);
@@ -170,18 +180,18 @@ bool EmbreeScene::occluded(const Ray& ray) const {
   TriangleHit hit;
   if (!embree_takes(ray)) {
     for (const Triangle& triangle : triangles_) {
-      if (intersect(ray, triangle, hit)) return true;
+      if (tests_.intersect(ray, triangle, hit)) return true;
     }
     return false;
   }
   for (const std::uint32_t i : oversized_) {
-    if (intersect(ray, triangles_[i], hit)) return true;
+    if (tests_.intersect(ray, triangles_[i], hit)) return true;
   }
   TraceContext context;
   rtcInitIntersectContext(&context.embree);
   context.ray = &ray;
   RTCRay embree_ray;
-  fill(embree_ray, ray, embree_tfar(ray.tmax));
+  fill(embree_ray, ray, tfar(ray.tmax));
   rtcOccluded1(scene_.get(), &context.embree, &embree_ray);
   return embree_ray.tfar < 0;
 }

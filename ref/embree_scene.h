@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "ref/hit_tests.h"
 #include "ref/padding.h"
-#include "ref/triangle.h"
 
 struct RTCDeviceTy;
 struct RTCSceneTy;
@@ -34,7 +34,7 @@ class EmbreeDevice {
 /// Embree keeps a pointer to this object, hence neither copies nor moves.
 class EmbreeScene {
  public:
-  explicit EmbreeScene(const EmbreeDevice& device) : device_(device) {}
+  explicit EmbreeScene(const EmbreeDevice& device, const HitTests& tests = HitTests());
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
@@ -47,8 +47,9 @@ class EmbreeScene {
   const std::vector<Triangle>& triangles() const { return triangles_; }
   std::int64_t first_id() const { return first_id_; }
   double padding() const { return padding_; }
+  const HitTests& tests() const { return tests_; }
 
-  /// Improves `best` by the closest hit of these triangles.
+  /// Improves `best` by the closest hit of these triangles.  The ray is one of `tests()`.
   void closest(const Ray& ray, Hit& best) const;
   /// Whether any triangle is hit.
   bool occluded(const Ray& ray) const;
@@ -57,12 +58,15 @@ class EmbreeScene {
   struct Release {
     void operator()(RTCSceneTy* scene) const;
   };
+  float tfar(float t) const;
   Box padded(std::uint32_t triangle) const;
   static void bounds_callback(const RTCBoundsFunctionArguments* args);
   static void intersect_callback(const RTCIntersectFunctionNArguments* args);
   static void occluded_callback(const RTCOccludedFunctionNArguments* args);
 
   const EmbreeDevice& device_;
+  const HitTests tests_;
+  const float tfar_factor_;
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> oversized_;  // beyond Embree's range of coordinates: tested one by one
   Extent extent_;

@@ -5,10 +5,15 @@
 
 namespace artu::ref {
 
+/// Both scenes have the same tests.
 struct Geometry {
   const EmbreeScene& fixed;    // static class: ids from 0
   const EmbreeScene& dynamic;  // ids from the static triangle count
 
+  /// A ray for both.
+  Ray ray(const Vec3& origin, const Vec3& direction, float tmax = no_tmax) const {
+    return fixed.tests().ray(origin, direction, tmax);
+  }
   Hit closest(const Ray& ray) const {
     Hit best;
     fixed.closest(ray, best);

@@ -11,7 +11,12 @@ namespace artu::ref {
 
 struct Golden::Impl {
   Impl(const traces::Scene& scene_in, const Settings& settings_in)
-      : scene(scene_in), settings(settings_in), fixed(device), dynamic(device) {
+      : scene(scene_in),
+        settings(settings_in),
+        tests(settings.precision),
+        fixed(device, tests),
+        dynamic(device, tests) {
+    with_format(settings.precision.shading, [](auto) {});  // refuses a bad width now and not with the first frame
     fixed.set(scene.static_geometry, 0);
     srgb();  // before the first frame's clock runs
   }
@@ -21,6 +26,7 @@ struct Golden::Impl {
   const traces::Scene& scene;
   const Settings settings;
   const EmbreeDevice device;  // before the scenes that live in it
+  const HitTests tests;
   EmbreeScene fixed, dynamic;
 };
 
@@ -29,7 +35,8 @@ void Golden::Impl::build(const traces::Frame& frame) {
   dynamic.set(frame.dynamic, static_cast<std::int64_t>(fixed.triangles().size()));
   Extent geometry = fixed.extent();
   geometry.add(dynamic.extent());
-  const double padding = required_padding(geometry, camera_extent(frame.camera, scene.width, scene.height));
+  const double padding =
+      required_padding(geometry, camera_extent(frame.camera, scene.width, scene.height), settings.precision);
   dynamic.build(padding);
   // The static tree serves every frame whose padding does not exceed its own: more padding changes no result.  It is
   // built on the first frame, with room for a camera that moves a little, and again where a frame needs more or so much
@@ -50,10 +57,10 @@ Result Golden::render(const traces::Frame& frame) const {
 
   const auto start = std::chrono::steady_clock::now();
   const Geometry geometry{impl_->fixed, impl_->dynamic};
-  Renderer renderer(impl_->scene, frame, impl_->settings, geometry);
+  const auto renderer = Renderer::make(impl_->scene, frame, impl_->settings, geometry);
   render_passes(impl_->settings, Image{result.width, result.height, result.pixels},
-                [&](std::uint32_t x, std::uint32_t y, Pixel& pixel) { renderer.trace(x, y, pixel); });
-  result.rays = renderer.rays();
+                [&](std::uint32_t x, std::uint32_t y, Pixel& pixel) { renderer->trace(x, y, pixel); });
+  result.rays = renderer->rays();
   result.trace_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

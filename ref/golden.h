@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "ref/precision.h"
 #include "traces/frame.h"
 
 namespace artu::ref {
@@ -26,6 +27,7 @@ struct Settings {
   std::array<int, 8> table{1, 2, 4, 7, 11, 16, 22, 29};
   unsigned max_depth = 3;          // of reflection and refraction rays; 0 = none
   float min_weight = 0.00390625f;  // of a reflection or refraction ray, to be traced
+  Precision precision;             // docs/arithmetic.md section 1
 };
 
 /// One pixel's record; the columns of docs/selective-rendering.md.
@@ -55,6 +57,7 @@ struct Result {
 class Golden {
  public:
   /// `scene` must outlive the model; it and the frames are taken as `traces::validate` leaves them.
+  /// Throws std::invalid_argument where a width of `settings.precision` is outside of 7 ... 23.
   Golden(const traces::Scene& scene, const Settings& settings);
   ~Golden();
   /// Frames may come in any order; the result depends on scene, settings and frame alone.  Not for two threads at a

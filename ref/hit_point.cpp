@@ -35,7 +35,8 @@ Vec3 unpack(std::uint32_t color) {
 
 }  // namespace
 
-HitPoint hit_point(const traces::Mesh& mesh, std::size_t triangle, const Vec3& direction, const TriangleHit& hit) {
+HitPoint hit_point(const traces::Mesh& mesh, std::size_t triangle, const Vec3& direction, const TriangleHit& hit,
+                   int triangle_bits) {
   const std::uint32_t ia = mesh.indices[3 * triangle], ib = mesh.indices[3 * triangle + 1],
                       ic = mesh.indices[3 * triangle + 2];
   const Vec3 &a = mesh.positions[ia], &b = mesh.positions[ib], &c = mesh.positions[ic];
@@ -57,7 +58,8 @@ HitPoint hit_point(const traces::Mesh& mesh, std::size_t triangle, const Vec3& d
   point.color = weights.mix(unpack(mesh.colors[ia]), unpack(mesh.colors[ib]), unpack(mesh.colors[ic]));
 
   const float m = max(max(largest_magnitude(a), largest_magnitude(b)), largest_magnitude(c));
-  const float eps = m * 0x1p-18f;
+  const float edge = max(max(largest_magnitude(b - a), largest_magnitude(c - a)), largest_magnitude(c - b));
+  const float eps = m * 0x1p-19f + edge * (16.0f / static_cast<float>(1 << triangle_bits));
   point.outside = position + point.ng * eps;
   point.inside = position - point.ng * eps;
   return point;

@@ -18,7 +18,9 @@ struct HitPoint {
   Vec3 inside;   // Pin: origin of refraction rays
 };
 
-/// `triangle` is the index in `mesh`, `direction` the ray's.
-HitPoint hit_point(const traces::Mesh& mesh, std::size_t triangle, const Vec3& direction, const TriangleHit& hit);
+/// All in binary32.  `triangle` is the index in `mesh`, `direction` the ray's, `triangle_bits` the width of the
+/// triangle test, by which the two origins must be off the surface.
+HitPoint hit_point(const traces::Mesh& mesh, std::size_t triangle, const Vec3& direction, const TriangleHit& hit,
+                   int triangle_bits = 23);
 
 }  // namespace artu::ref

@@ -1,30 +1,80 @@
 // Light that arrives at a point, before shadows (docs/arithmetic.md section 7, "Lights", steps 1 to 4).
+//
+// N is the shading format; what decides on a shadow ray or leads it is float in any format.
 #pragma once
 
 #include "ref/hit_point.h"
+#include "ref/triple.h"
 
 namespace artu::ref {
 
+template <class N>
 struct LightSample {
-  Vec3 towards;    // L
-  Vec3 intensity;  // I
-  Vec3 shadow;     // direction of the shadow ray, from Pout
-  float tmax;      // of the shadow ray
+  Triple<N> towards;    // L
+  Triple<N> intensity;  // I
+  Vec3 shadow;          // D, direction of the shadow ray from Pout
+  float tmax;           // of the shadow ray
 };
 
 /// False where the light does not reach `point` (out of range, or too close or too far for binary32).
-bool sample_light(const traces::Light& light, const Vec3& point, LightSample& sample);
+template <class N>
+bool sample_light(const traces::Light& light, const Vec3& point, LightSample<N>& sample) {
+  using std::sqrt;
+  if (light.kind == traces::LightKind::directional) {
+    const Vec3 towards = -light.direction;
+    sample = {towards, light.color, towards, no_tmax};
+    return true;
+  }
+  const Vec3 d = light.position - point;
+  const float square = dot(d, d);
+  if (!(0x1p-100f <= square && square <= 0x1p100f)) return false;
+  if (square > light.range * light.range) return false;
+  const N r2 = square, one(1), zero(0);
+  const Triple<N> towards = Triple<N>(d) * (one / sqrt(r2));
+  N attenuation = one / r2;
+  if (light.kind == traces::LightKind::spot) {
+    const N outer = light.cos_outer;
+    N s = (-dot(towards, Triple<N>(light.direction)) - outer) * (one / max(N(light.cos_inner) - outer, N(0x1p-10f)));
+    s = min(max(s, zero), one);
+    attenuation = attenuation * (s * s);
+  }
+  sample = {towards, Triple<N>(light.color) * attenuation, d, 1.0f};
+  return true;
+}
 
 /// The weights of a material at a hit, with texture and vertex colour applied.
+template <class N>
 struct Surface {
-  Vec3 kd, kt, ks, kr;
+  Triple<N> kd, kt, ks, kr;
 };
 
 /// `tex` is the texture's colour times the vertex colour.
-Surface surface_of(const traces::Material& material, const Vec3& tex);
+template <class N>
+Surface<N> surface_of(const traces::Material& material, const Triple<N>& tex) {
+  Surface<N> s{material.diffuse * tex, material.transmission * tex, material.specular, material.mirror};
+  if (material.tint) {
+    s.ks = s.ks * tex;
+    s.kr = s.kr * tex;
+  }
+  return s;
+}
 
 /// What the light adds to the pixel if it is not in shadow (C, with the ray's weight T); false where step 2 or 4 skips.
-bool contribution(const LightSample& light, const HitPoint& point, const Vec3& direction, const Surface& surface,
-                  unsigned specular_log2, const Vec3& weight, Vec3& result);
+template <class N>
+bool contribution(const LightSample<N>& light, const HitPoint& point, const Vec3& direction, const Surface<N>& surface,
+                  unsigned specular_log2, const Triple<N>& weight, Triple<N>& result) {
+  const N zero(0);
+  const Triple<N> ns = point.ns;
+  const N nl = dot(ns, light.towards);
+  if (!(nl > zero) || !(dot(point.ng, light.shadow) > 0)) return false;
+  N p(0);
+  if (any_positive(surface.ks)) {
+    const Triple<N> h = unit(light.towards - direction);
+    p = max(dot(ns, h), zero);
+    for (unsigned i = 0; i < specular_log2; ++i) p = p * p;
+  }
+  result = weight * (light.intensity * (surface.kd * nl + surface.ks * p));
+  return any_positive(result);
+}
 
 }  // namespace artu::ref

@@ -54,13 +54,16 @@ Extent camera_extent(const traces::Camera& camera, std::uint32_t width, std::uin
   return extent;
 }
 
-double required_padding(const Extent& geometry, const Extent& camera) {
+double required_padding(const Extent& geometry, const Extent& camera, const Precision& precision) {
   if (geometry.empty()) return 0;
-  // Rays begin at the camera or on the geometry (lights only end shadow rays).  Points on the geometry are moved
-  // off it by up to 2^-18 of their largest coordinate and are rounded, as the camera's are; 2^-17 covers both.
+  // Rays begin at the camera or on the geometry (lights only end shadow rays).  Points on the geometry are moved off it
+  // by eps of section 5, m * 2^-19 + L * 2^(4 - M), where no edge component L is longer than the whole geometry.  Twice
+  // the first term also covers the rounding of such points and of the camera's.
   Extent origins = camera;
   origins.add(geometry);
-  const double slack = 0x1p-17 * largest_coordinate(origins);
+  double longest = 0;
+  for (int i = 0; i < 3; ++i) longest = std::fmax(longest, geometry.hi[i] - geometry.lo[i]);
+  const double slack = 0x1p-18 * largest_coordinate(origins) + std::ldexp(longest, 4 - precision.triangle);
   double square = 0;
   for (int i = 0; i < 3; ++i) {
     const double d = std::fmax(geometry.hi[i] - (origins.lo[i] - slack), (origins.hi[i] + slack) - geometry.lo[i]);
@@ -68,7 +71,7 @@ double required_padding(const Extent& geometry, const Extent& camera) {
   }
   // Where |direction| < 1e-18 on an axis, Embree takes +1e-18: within a shadow ray's tmax = 1 that moves the ray by
   // up to 2e-18, the floor's reason; on longer rays the drift is 1e-18 of the distance and the padding covers it.
-  return std::fmax(0x1p-17 * std::sqrt(square), 0x1p-58);
+  return std::fmax((std::ldexp(1.0, 2 - precision.narrower_test()) + 0x1p-17) * std::sqrt(square), 0x1p-58);
 }
 
 }  // namespace artu::ref

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "ref/precision.h"
 #include "ref/triangle.h"
 
 namespace artu::ref {
@@ -24,7 +25,8 @@ Extent extent_of(const std::vector<Triangle>& triangles);
 /// Box of the origins of a frame's primary rays.
 Extent camera_extent(const traces::Camera& camera, std::uint32_t width, std::uint32_t height);
 
-/// 2^-17 of the distance between the farthest ray origin and the farthest corner of the geometry, in scene units.
-double required_padding(const Extent& geometry, const Extent& camera);
+/// 2^(2 - M) + 2^-17 of the distance between the farthest ray origin and the farthest corner of the geometry, in scene
+/// units; M is the smaller one of the widths of the two tests.
+double required_padding(const Extent& geometry, const Extent& camera, const Precision& precision = {});
 
 }  // namespace artu::ref

@@ -15,14 +15,15 @@ struct Ray {
   Vec3 direction;  // of any length; `t` is in units of it
   float tmax = no_tmax;
 
+  // In binary32, or rounded to the tests' formats (hit_tests.h):
   Vec3 inv;         // 1 / direction, at most 2^100 in magnitude, never NaN
-  bool limited[3];  // axes on which that limit was reached
+  bool limited[3];  // axes on which that limit was reached, before any rounding
   bool any_limited;
   int kx, ky, kz;    // axes of the triangle test: kz is the largest of |direction|
   float sx, sy, sz;  // its shear
 };
 
-/// Set-up.  The direction must not be (0, 0, 0).
+/// Set-up in binary32.  The direction must not be (0, 0, 0).
 Ray make_ray(const Vec3& origin, const Vec3& direction, float tmax = no_tmax);
 
 /// A dead ray is not traced and counts as a miss.

@@ -25,8 +25,6 @@ Vec3 texel(const traces::Texture& texture, std::int32_t x, std::int32_t y, const
   return {tables.decode(p[0]), tables.decode(p[1]), tables.decode(p[2])};
 }
 
-Vec3 lerp(const Vec3& a, const Vec3& b, float weight) { return a + (b - a) * weight; }
-
 }  // namespace
 
 Tap tap(float coordinate, std::uint32_t size, traces::Wrap wrap) {
@@ -36,12 +34,15 @@ Tap tap(float coordinate, std::uint32_t size, traces::Wrap wrap) {
   return {wrapped(i, n, wrap), wrapped(i + 1, n, wrap), s - floored};
 }
 
-Vec3 sample(const traces::Texture& texture, const Vec2& uv) {
+Texels fetch(const traces::Texture& texture, const Vec2& uv) {
   const Srgb& tables = srgb();
   const Tap x = tap(uv.x, texture.width, texture.wrap_u), y = tap(uv.y, texture.height, texture.wrap_v);
-  const Vec3 t00 = texel(texture, x.first, y.first, tables), t10 = texel(texture, x.second, y.first, tables);
-  const Vec3 t01 = texel(texture, x.first, y.second, tables), t11 = texel(texture, x.second, y.second, tables);
-  return lerp(lerp(t00, t10, x.weight), lerp(t01, t11, x.weight), y.weight);
+  return {texel(texture, x.first, y.first, tables),
+          texel(texture, x.second, y.first, tables),
+          texel(texture, x.first, y.second, tables),
+          texel(texture, x.second, y.second, tables),
+          x.weight,
+          y.weight};
 }
 
 }  // namespace artu::ref

@@ -26,7 +26,7 @@ void each_hit(const EmbreeScene& scene, const Ray& ray, const Visit& visit) {
   std::int64_t id = scene.first_id();
   for (const Triangle& triangle : scene.triangles()) {
     TriangleHit hit;
-    if (intersect(ray, triangle, hit) && !visit(id, hit)) return;
+    if (scene.tests().intersect(ray, triangle, hit) && !visit(id, hit)) return;
     ++id;
   }
 }
@@ -34,20 +34,22 @@ void each_hit(const EmbreeScene& scene, const Ray& ray, const Visit& visit) {
 }  // namespace
 
 struct Tracer::Impl {
-  Impl() : fixed(device), dynamic(device) {}
+  explicit Impl(const Precision& precision) : tests(precision), fixed(device, tests), dynamic(device, tests) {}
 
   const EmbreeDevice device;  // before the scenes that live in it
+  const HitTests tests;
   EmbreeScene fixed, dynamic;
   Geometry geometry() const { return {fixed, dynamic}; }
 };
 
-Tracer::Tracer(const traces::Mesh& fixed, const traces::Mesh& dynamic, const Extent& origins)
-    : impl_(std::make_unique<Impl>()) {
+Tracer::Tracer(const traces::Mesh& fixed, const traces::Mesh& dynamic, const Extent& origins,
+               const Precision& precision)
+    : impl_(std::make_unique<Impl>(precision)) {
   impl_->fixed.set(fixed, 0);
   impl_->dynamic.set(dynamic, static_cast<std::int64_t>(fixed.triangle_count()));
   Extent geometry = impl_->fixed.extent();
   geometry.add(impl_->dynamic.extent());
-  const double padding = required_padding(geometry, origins);
+  const double padding = required_padding(geometry, origins, precision);
   impl_->fixed.build(padding);
   impl_->dynamic.build(padding);
 }
@@ -56,16 +58,16 @@ Tracer::~Tracer() = default;
 
 TracedHit Tracer::closest(const traces::Vec3& origin, const traces::Vec3& direction, float tmax) const {
   if (is_dead(direction)) return {};
-  return traced(impl_->geometry().closest(make_ray(origin, direction, tmax)));
+  return traced(impl_->geometry().closest(impl_->tests.ray(origin, direction, tmax)));
 }
 
 bool Tracer::occluded(const traces::Vec3& origin, const traces::Vec3& direction, float tmax) const {
-  return !is_dead(direction) && impl_->geometry().occluded(make_ray(origin, direction, tmax));
+  return !is_dead(direction) && impl_->geometry().occluded(impl_->tests.ray(origin, direction, tmax));
 }
 
 TracedHit Tracer::closest_of_all(const traces::Vec3& origin, const traces::Vec3& direction, float tmax) const {
   if (is_dead(direction)) return {};
-  const Ray ray = make_ray(origin, direction, tmax);
+  const Ray ray = impl_->tests.ray(origin, direction, tmax);
   Hit best;
   for (const EmbreeScene* scene : {&impl_->fixed, &impl_->dynamic}) {
     each_hit(*scene, ray, [&](std::int64_t id, const TriangleHit& hit) {
@@ -78,7 +80,7 @@ TracedHit Tracer::closest_of_all(const traces::Vec3& origin, const traces::Vec3&
 
 bool Tracer::occluded_by_any(const traces::Vec3& origin, const traces::Vec3& direction, float tmax) const {
   if (is_dead(direction)) return false;
-  const Ray ray = make_ray(origin, direction, tmax);
+  const Ray ray = impl_->tests.ray(origin, direction, tmax);
   bool found = false;
   for (const EmbreeScene* scene : {&impl_->fixed, &impl_->dynamic}) {
     each_hit(*scene, ray, [&](std::int64_t, const TriangleHit&) {

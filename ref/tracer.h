@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "ref/padding.h"
+#include "ref/precision.h"
 #include "traces/frame.h"
 
 namespace artu::ref {
@@ -23,9 +24,11 @@ struct TracedHit {
 class Tracer {
  public:
   /// `origins` holds every ray origin that will be asked for; points on the geometry need not be in it.
-  Tracer(const traces::Mesh& fixed, const traces::Mesh& dynamic, const Extent& origins);
-  Tracer(const traces::Scene& scene, const traces::Frame& frame, const Extent& origins)
-      : Tracer(scene.static_geometry, frame.dynamic, origins) {}
+  /// Throws std::invalid_argument where a width of the two tests is outside of 7 ... 23.
+  Tracer(const traces::Mesh& fixed, const traces::Mesh& dynamic, const Extent& origins,
+         const Precision& precision = {});
+  Tracer(const traces::Scene& scene, const traces::Frame& frame, const Extent& origins, const Precision& precision = {})
+      : Tracer(scene.static_geometry, frame.dynamic, origins, precision) {}
   ~Tracer();
 
   TracedHit closest(const traces::Vec3& origin, const traces::Vec3& direction, float tmax) const;

@@ -1,27 +1,35 @@
-// Slab test with Ize's padding (docs/arithmetic.md section 3; Ize, JCGT 2013).
+// Slab test with Ize's padding (docs/arithmetic.md section 3; Ize, JCGT 2013), in the box test's format R.
 #pragma once
 
 #include "hw/datapath/ray.h"
 
 namespace artu::hw {
 
-inline constexpr float box_padding = 1.0f + 0x1p-21f;
+/// P: the factor at an interval's end, for the smaller width of box and triangle test.
+inline float box_padding(int fraction_bits = most_fraction_bits) { return 1.0f + std::ldexp(1.0f, 3 - fraction_bits); }
 
 struct Interval {
   float enter, exit;
 };
 
-/// The interval of a box for a ray with limited axes; see box_interval.
-Interval limited_box_interval(const Ray& ray, Vector lo, Vector hi);
+/// Ends of a slab on an axis whose inverse is limited: all, or for a direction of zero nothing, by whether it holds o.
+void limited_slab(const Ray& ray, int axis, float lo, float hi, float& near, float& far);
 
-/// The interval of the box alone, without tmin and tmax.
-inline Interval box_interval(const Ray& ray, Vector lo, Vector hi) {
-  if (ray.limited != 0) return limited_box_interval(ray, lo, hi);
-  const Vector a = (lo - ray.origin) * ray.inverse;
-  const Vector b = (hi - ray.origin) * ray.inverse;
-  const float enter = maximum(maximum(minimum(a.x, b.x), minimum(a.y, b.y)), minimum(a.z, b.z));
-  const float exit = minimum(minimum(maximum(a.x, b.x), maximum(a.y, b.y)), maximum(a.z, b.z)) * box_padding;
-  return {enter, exit};
+/// The interval of the box alone, without tmin and tmax; `padding` is P.
+template <class R = float>
+Interval box_interval(const Ray& ray, Vector lo, Vector hi, float padding) {
+  const VectorOf<R> inverse = to<R>(ray.inverse);
+  const VectorOf<R> a = to<R>(lo - ray.origin) * inverse;
+  const VectorOf<R> b = to<R>(hi - ray.origin) * inverse;
+  Vector near = from(VectorOf<R>{minimum(a.x, b.x), minimum(a.y, b.y), minimum(a.z, b.z)});
+  Vector far = from(VectorOf<R>{maximum(a.x, b.x), maximum(a.y, b.y), maximum(a.z, b.z)});
+  if (ray.limited != 0) {
+    limited_slab(ray, 0, lo.x, hi.x, near.x, far.x);
+    limited_slab(ray, 1, lo.y, hi.y, near.y, far.y);
+    limited_slab(ray, 2, lo.z, hi.z, near.z, far.z);
+  }
+  const float exit = minimum(minimum(far.x, far.y), far.z);
+  return {maximum(maximum(near.x, near.y), near.z), float(R(exit) * R(padding))};
 }
 
 /// Whether a ray limited to [0, limit] meets a box with this interval.

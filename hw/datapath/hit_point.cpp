@@ -4,8 +4,6 @@ namespace artu::hw {
 
 namespace {
 
-float largest_magnitude(Vector a) { return maximum(maximum(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z)); }
-
 struct Mixer {
   float u, v, w;
   float operator()(float a, float b, float c) const { return (u * a + v * b) + w * c; }
@@ -19,7 +17,7 @@ Vector geometric_normal(Vector a, Vector b, Vector c) {
   const int k = size > 0 ? std::ilogb(size) : 0;
   const Vector e1{std::ldexp(ab.x, -k), std::ldexp(ab.y, -k), std::ldexp(ab.z, -k)};
   const Vector e2{std::ldexp(ac.x, -k), std::ldexp(ac.y, -k), std::ldexp(ac.z, -k)};
-  return unit({e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z, e1.x * e2.y - e1.y * e2.x});
+  return unit(Vector{e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z, e1.x * e2.y - e1.y * e2.x});
 }
 
 Vector vertex_color(std::uint32_t codes) {
@@ -30,7 +28,7 @@ Vector vertex_color(std::uint32_t codes) {
 }  // namespace
 
 Surface surface_at(const Ray& ray, const TriangleHit& hit, const TriangleRecord& triangle,
-                   const AttributeRecord& attributes) {
+                   const AttributeRecord& attributes, int triangle_bits) {
   const Vector a = triangle.a, b = triangle.b, c = triangle.c;
   Mixer mix{};
   mix.u = hit.U / hit.det;
@@ -52,7 +50,8 @@ Surface surface_at(const Ray& ray, const TriangleHit& hit, const TriangleRecord&
   s.v = mix(attributes.uv[0][1], attributes.uv[1][1], attributes.uv[2][1]);
   s.color = mix(vertex_color(triangle.color[0]), vertex_color(triangle.color[1]), vertex_color(triangle.color[2]));
   const float m = maximum(maximum(largest_magnitude(a), largest_magnitude(b)), largest_magnitude(c));
-  const float epsilon = m * 0x1p-18f;
+  const float l = maximum(maximum(largest_magnitude(b - a), largest_magnitude(c - a)), largest_magnitude(c - b));
+  const float epsilon = m * 0x1p-19f + l * std::ldexp(1.0f, 4 - triangle_bits);
   s.outside = point + ng * epsilon;
   s.inside = point - ng * epsilon;
   return s;

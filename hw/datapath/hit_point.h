@@ -14,7 +14,9 @@ struct Surface {
   bool front = true;                        // the ray comes from where the normal points
 };
 
+/// All of it in binary32.  `triangle_bits` are the stored fraction bits of the triangle test, which decide how far
+/// `outside` and `inside` are from the surface.
 Surface surface_at(const Ray& ray, const TriangleHit& hit, const TriangleRecord& triangle,
-                   const AttributeRecord& attributes);
+                   const AttributeRecord& attributes, int triangle_bits = most_fraction_bits);
 
 }  // namespace artu::hw

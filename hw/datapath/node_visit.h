@@ -1,5 +1,5 @@
 // One step of a traversal: the children of a node that a ray meets, nearest first, for every kind of tree
-// (docs/arithmetic.md, section 4 and docs/trees.md).
+// (docs/arithmetic.md, section 4 and docs/trees.md) and every format of the box test.
 #pragma once
 
 #include <array>
@@ -38,21 +38,13 @@ float decoded_hi(const WideNodeRecord<Width>& node, int axis, int i) {
   return node.origin[axis] + static_cast<float>(node.hi[axis][i]) * float_of(std::uint32_t{node.exponent[axis]} << 23);
 }
 
-/// Tests one box; `fault` bits are xored into the interval's end (0 in a sound unit).
-inline void test_box(const Ray& ray, Vector lo, Vector hi, std::uint32_t node, float limit, std::uint32_t fault,
-                     Steps& out) {
-  Interval box = box_interval(ray, lo, hi);
-  if (fault != 0) box.exit = float_of(bits_of(box.exit) ^ fault);
-  ++out.tests;
-  if (meets(box, limit)) out.add(node, box.enter, box.exit);
-}
-
 /// Visits the node whose record lies at `record`, of the given kind, with the interval that `from` had when it was
-/// chosen; `limit` is the best t so far, or tmax.
-void visit_node(TreeKind kind, const void* record, const Ray& ray, const Step& from, float limit, std::uint32_t fault,
-                Steps& out);
+/// chosen; `limit` is the best t so far, or tmax; `padding` is P; `fault` bits are xored into every interval's end (0
+/// in a sound unit).
+using NodeVisit = void (*)(TreeKind kind, const void* record, const Ray& ray, const Step& from, float limit,
+                           float padding, std::uint32_t fault, Steps& out);
 
-/// The first step of a ray: both root boxes.  A root that is `none` is left out.
-void visit_roots(const FrameDescriptor& frame, const Ray& ray, std::uint32_t fault, Steps& out);
+/// The node visit of a box test with so many stored fraction bits.
+NodeVisit node_visit(int fraction_bits);
 
 }  // namespace artu::hw

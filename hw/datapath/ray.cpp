@@ -18,9 +18,10 @@ float limited_inverse(float d) {
 }
 }  // namespace
 
-void set_up(Ray& ray) {
+void set_up(Ray& ray, int box_bits, int triangle_bits) {
   const Vector d = ray.direction;
-  ray.inverse = {limited_inverse(d.x), limited_inverse(d.y), limited_inverse(d.z)};
+  ray.inverse = {narrowed(limited_inverse(d.x), box_bits), narrowed(limited_inverse(d.y), box_bits),
+                 narrowed(limited_inverse(d.z), box_bits)};
   ray.limited = 0;
   for (int axis = 0; axis < 3; ++axis) {
     if (!(std::fabs(1.0f / d[axis]) < two_pow_100)) ray.limited |= static_cast<std::uint8_t>(1 << axis);
@@ -38,9 +39,9 @@ void set_up(Ray& ray) {
   ray.kx = static_cast<std::uint8_t>(kx);
   ray.ky = static_cast<std::uint8_t>(ky);
   ray.kz = static_cast<std::uint8_t>(kz);
-  ray.sx = d[kx] / d[kz];
-  ray.sy = d[ky] / d[kz];
-  ray.sz = 1.0f / d[kz];
+  ray.sx = narrowed(d[kx] / d[kz], triangle_bits);
+  ray.sy = narrowed(d[ky] / d[kz], triangle_bits);
+  ray.sz = narrowed(1.0f / d[kz], triangle_bits);
 }
 
 }  // namespace artu::hw

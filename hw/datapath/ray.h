@@ -9,8 +9,8 @@ struct Ray {
   Vector origin, direction;
   float tmax = two_pow_100;  // tmin is 0
   // Set-up:
-  Vector inverse;                // 1 / direction, limited to 2^100 in magnitude
-  float sx = 0, sy = 0, sz = 0;  // shear
+  Vector inverse;                // 1 / direction, limited to 2^100 in magnitude; in the box test's format
+  float sx = 0, sy = 0, sz = 0;  // shear, in the triangle test's format
   std::uint8_t kx = 0, ky = 1, kz = 2;
   std::uint8_t limited = 0;  // axes (bits) whose inverse was limited: the ray is parallel to them, or nearly
 };
@@ -23,7 +23,8 @@ struct CameraRegisters {
 /// Origin and direction of the primary ray of pixel (x, y); the direction is zero for a dead ray.
 Ray primary_ray(const CameraRegisters& camera, std::uint32_t x, std::uint32_t y);
 
-/// Fills the set-up fields from origin and direction, which must not be dead.
-void set_up(Ray& ray);
+/// Fills the set-up fields from origin and direction, which must not be dead, for box and triangle tests with so many
+/// stored fraction bits.
+void set_up(Ray& ray, int box_bits = most_fraction_bits, int triangle_bits = most_fraction_bits);
 
 }  // namespace artu::hw

@@ -2,14 +2,19 @@
 
 namespace artu::hw {
 
+template <class R>
 Vector sky(const ShadingConstants& constants, Vector direction) {
-  const float s = 0.5f * direction.y + 0.5f;
-  return constants.sky_nadir + (constants.sky_zenith - constants.sky_nadir) * s;
+  const R s = R(0.5f) * R(direction.y) + R(0.5f);
+  const VectorOf<R> nadir = to<R>(constants.sky_nadir), zenith = to<R>(constants.sky_zenith);
+  return from(nadir + (zenith - nadir) * s);
 }
 
+template <class R>
 Vector begin_shading(const ShadingConstants& constants, const Surface& surface, const MaterialRecord& material,
                      Vector texture, Vector direction, Vector weight, ShadedPoint& point) {
-  const Vector tex = texture * surface.color;
+  const VectorOf<R> tex = to<R>(texture) * to<R>(surface.color);
+  const VectorOf<R> diffuse = to<R>(material.diffuse) * tex;
+  const VectorOf<R> specular = to<R>(material.specular), mirror = to<R>(material.mirror);
   point.direction = direction;
   point.weight = weight;
   point.geometric_normal = surface.geometric_normal;
@@ -17,83 +22,92 @@ Vector begin_shading(const ShadingConstants& constants, const Surface& surface, 
   point.outside = surface.outside;
   point.inside = surface.inside;
   point.front = surface.front;
-  point.diffuse = material.diffuse * tex;
-  point.transmission = material.transmission * tex;
-  point.specular = material.tint ? material.specular * tex : material.specular;
-  point.mirror = material.tint ? material.mirror * tex : material.mirror;
+  point.diffuse = from(diffuse);
+  point.transmission = from(to<R>(material.transmission) * tex);
+  point.specular = from(material.tint ? specular * tex : specular);
+  point.mirror = from(material.tint ? mirror * tex : mirror);
   point.ior = material.ior;
   point.specular_log2 = material.specular_log2;
-  return material.emission + point.diffuse * constants.ambient;
+  return from(to<R>(material.emission) + diffuse * to<R>(constants.ambient));
 }
 
 namespace {
 
-/// Direction, distance and intensity of a light as seen from the point; false if out of reach.
-bool sample_light(const ShadedPoint& point, const LightRecord& light, Vector& to_light, Vector& intensity,
+/// Direction and intensity of a light as seen from the point, and the shadow ray; false if out of reach.
+template <class R>
+bool sample_light(const ShadedPoint& point, const LightRecord& light, VectorOf<R>& to_light, VectorOf<R>& intensity,
                   ShadowRay& shadow) {
+  using std::sqrt;
   if (light.type == LightType::directional) {
-    to_light = -light.direction;
-    shadow.direction = to_light;
+    shadow.direction = -light.direction;
     shadow.tmax = two_pow_100;
-    intensity = light.color;
+    to_light = to<R>(shadow.direction);
+    intensity = to<R>(light.color);
     return true;
   }
-  const Vector d = light.position - point.outside;
-  const float r2 = dot(d, d);
-  if (!(r2 >= two_pow_minus_100 && r2 <= two_pow_100)) return false;
-  if (r2 > light.range * light.range) return false;
-  to_light = d * (1.0f / std::sqrt(r2));
-  float attenuation = 1.0f / r2;
+  shadow.direction = light.position - point.outside;
+  shadow.tmax = 1.0f;
+  const float distance = dot(shadow.direction, shadow.direction);
+  if (!(distance >= two_pow_minus_100 && distance <= two_pow_100)) return false;
+  if (distance > light.range * light.range) return false;
+  const R r2 = R(distance);
+  to_light = to<R>(shadow.direction) * (R(1.0f) / sqrt(r2));
+  R attenuation = R(1.0f) / r2;
   if (light.type == LightType::spot) {
-    const float cosine = -dot(to_light, light.direction);
-    float s = (cosine - light.cos_outer) * (1.0f / maximum(light.cos_inner - light.cos_outer, 0x1p-10f));
-    s = minimum(maximum(s, 0.0f), 1.0f);
+    const R cosine = -dot(to_light, to<R>(light.direction));
+    const R inner = R(light.cos_inner), outer = R(light.cos_outer);
+    R s = (cosine - outer) * (R(1.0f) / maximum(inner - outer, R(0x1p-10f)));
+    s = minimum(maximum(s, R(0.0f)), R(1.0f));
     attenuation = attenuation * (s * s);
   }
-  shadow.direction = d;
-  shadow.tmax = 1.0f;
-  intensity = light.color * attenuation;
+  intensity = to<R>(light.color) * attenuation;
   return true;
 }
 
 }  // namespace
 
+template <class R>
 bool light_contribution(const ShadedPoint& point, const LightRecord& light, ShadowRay& shadow) {
-  Vector to_light, intensity;
+  VectorOf<R> to_light, intensity;
   if (!sample_light(point, light, to_light, intensity, shadow)) return false;
-  const float nl = dot(point.shading_normal, to_light);
-  if (!(nl > 0) || !(dot(point.geometric_normal, to_light) > 0)) return false;
-  float p = 0;
-  if (any_positive(point.specular)) {
-    const Vector h = unit(to_light - point.direction);
-    p = maximum(dot(point.shading_normal, h), 0.0f);
+  const VectorOf<R> normal = to<R>(point.shading_normal), specular = to<R>(point.specular);
+  const R nl = dot(normal, to_light);
+  if (!(nl > R(0.0f)) || !(dot(point.geometric_normal, shadow.direction) > 0)) return false;
+  R p{};
+  if (any_positive(specular)) {
+    const VectorOf<R> h = unit(to_light - to<R>(point.direction));
+    p = maximum(dot(normal, h), R(0.0f));
     for (std::uint32_t i = 0; i < point.specular_log2; ++i) p = p * p;
   }
-  shadow.contribution = point.weight * (intensity * (point.diffuse * nl + point.specular * p));
-  return any_positive(shadow.contribution);
+  const VectorOf<R> contribution = to<R>(point.weight) * (intensity * (to<R>(point.diffuse) * nl + specular * p));
+  shadow.contribution = from(contribution);
+  return any_positive(contribution);
 }
 
 namespace {
 
+template <class R>
 struct Refraction {
-  float fresnel;
-  Vector weight, direction;
+  R fresnel;
+  VectorOf<R> weight;
+  Vector direction;
 };
 
-Refraction refract(const ShadedPoint& point, float c) {
+template <class R>
+Refraction<R> refract(const ShadedPoint& point, float c) {
   const Vector d = point.direction, ns = point.shading_normal;
-  float r0 = (1.0f - point.ior) / (1.0f + point.ior);
+  R r0 = (R(1.0f) - R(point.ior)) / (R(1.0f) + R(point.ior));
   r0 = r0 * r0;
   const float eta = point.front ? 1.0f / point.ior : point.ior;
   const float k = 1.0f - (eta * eta) * (1.0f - c * c);
-  if (k < 0) return {1.0f, {}, {}};  // total internal reflection
+  if (k < 0) return {R(1.0f), {}, {}};  // total internal reflection
   const float ct = std::sqrt(k);
-  const float m = 1.0f - (point.front ? c : ct);
-  const float m2 = m * m;
-  const float fresnel = r0 == 0 ? 0.0f : r0 + (1.0f - r0) * ((m2 * m2) * m);
+  const R m = R(1.0f) - R(point.front ? c : ct);
+  const R m2 = m * m;
+  const R fresnel = r0 == R(0.0f) ? R(0.0f) : r0 + (R(1.0f) - r0) * ((m2 * m2) * m);
   Vector dt = d * eta + ns * (eta * c - ct);
   if (!(dot(dt, point.geometric_normal) < 0)) dt = d;
-  return {fresnel, point.transmission * (1.0f - fresnel), unit(dt)};
+  return {fresnel, to<R>(point.transmission) * (R(1.0f) - fresnel), unit(dt)};
 }
 
 bool worth_tracing(const ShadingConstants& constants, Vector weight) {
@@ -103,19 +117,21 @@ bool worth_tracing(const ShadingConstants& constants, Vector weight) {
 
 }  // namespace
 
+template <class R>
 NextRays next_rays(const ShadingConstants& constants, const ShadedPoint& point) {
   const Vector d = point.direction, ns = point.shading_normal, ng = point.geometric_normal;
+  const VectorOf<R> weight = to<R>(point.weight);
   const float c = maximum(-dot(d, ns), 0.0f);
   NextRays next;
-  Vector reflected = point.mirror;
+  VectorOf<R> reflected = to<R>(point.mirror);
   if (any_positive(point.transmission)) {
-    const Refraction refraction = refract(point, c);
-    reflected = point.mirror + point.transmission * refraction.fresnel;
-    next.refraction_weight = point.weight * refraction.weight;
+    const Refraction<R> refraction = refract<R>(point, c);
+    reflected = reflected + to<R>(point.transmission) * refraction.fresnel;
+    next.refraction_weight = from(weight * refraction.weight);
     next.refraction_direction = refraction.direction;
     next.refraction = worth_tracing(constants, next.refraction_weight) && !is_zero(next.refraction_direction);
   }
-  next.reflection_weight = point.weight * reflected;
+  next.reflection_weight = from(weight * reflected);
   if (worth_tracing(constants, next.reflection_weight)) {
     Vector dr = d + ns * (2.0f * -dot(d, ns));
     if (!(dot(dr, ng) > 0)) dr = d + ng * (2.0f * -dot(d, ng));
@@ -124,5 +140,39 @@ NextRays next_rays(const ShadingConstants& constants, const ShadedPoint& point) 
   }
   return next;
 }
+
+template <class R>
+Vector add(Vector sum, Vector color) {
+  return from(to<R>(sum) + to<R>(color));
+}
+
+template <class R>
+Vector add_weighted(Vector sum, Vector weight, Vector color) {
+  return from(to<R>(sum) + to<R>(weight) * to<R>(color));
+}
+
+#define ARTU_INSTANTIATE(R)                                                                                        \
+  template Vector sky<R>(const ShadingConstants&, Vector);                                                         \
+  template Vector begin_shading<R>(const ShadingConstants&, const Surface&, const MaterialRecord&, Vector, Vector, \
+                                   Vector, ShadedPoint&);                                                          \
+  template bool light_contribution<R>(const ShadedPoint&, const LightRecord&, ShadowRay&);                         \
+  template NextRays next_rays<R>(const ShadingConstants&, const ShadedPoint&);                                     \
+  template Vector add<R>(Vector, Vector);                                                                          \
+  template Vector add_weighted<R>(Vector, Vector, Vector);
+#include "hw/datapath/every_width.inc"
+
+namespace {
+template <class R>
+constexpr ShadingSteps steps{&filter<R>,    &sky<R>, &begin_shading<R>, &light_contribution<R>,
+                             &next_rays<R>, &add<R>, &add_weighted<R>};
+
+template <int... I>
+const ShadingSteps& of_width(int fraction_bits, std::integer_sequence<int, I...>) {
+  static constexpr const ShadingSteps* all[] = {&steps<Real<fewest_fraction_bits + I>>...};
+  return *all[fraction_bits - fewest_fraction_bits];
+}
+}  // namespace
+
+const ShadingSteps& shading_steps(int fraction_bits) { return of_width(fraction_bits, EveryWidth()); }
 
 }  // namespace artu::hw

@@ -1,7 +1,11 @@
 // Shading and next-ray set-up (docs/arithmetic.md section 7), as steps between which a shadow ray is traced.
+//
+// Each step is a template on the shading datapath's number type R, instantiated for every width; ShadingSteps has
+// those of one width.  Registers between the steps are binary32 and hold values of the format.
 #pragma once
 
 #include "hw/datapath/hit_point.h"
+#include "hw/datapath/texture.h"
 
 namespace artu::hw {
 
@@ -13,13 +17,14 @@ struct ShadingConstants {
 };
 
 /// Colour of a ray that misses.
+template <class R = float>
 Vector sky(const ShadingConstants& constants, Vector direction);
 
 /// A hit's material after its texture, where the light loop and the next rays read it.
 struct ShadedPoint {
-  Vector direction;  // of the ray that hit
-  Vector weight;     // T
-  Vector geometric_normal, shading_normal, outside, inside;
+  Vector direction;                                          // of the ray that hit, binary32
+  Vector geometric_normal, shading_normal, outside, inside;  // binary32
+  Vector weight;                                             // T
   Vector diffuse, specular, mirror, transmission;
   float ior = 1;
   std::uint32_t specular_log2 = 0;
@@ -27,6 +32,7 @@ struct ShadedPoint {
 };
 
 /// Fills the point; returns emission and ambient, to be added to the pixel with weight T.
+template <class R = float>
 Vector begin_shading(const ShadingConstants& constants, const Surface& surface, const MaterialRecord& material,
                      Vector texture, Vector direction, Vector weight, ShadedPoint& point);
 
@@ -38,6 +44,7 @@ struct ShadowRay {
 };
 
 /// False if the light cannot add anything: no shadow ray.
+template <class R = float>
 bool light_contribution(const ShadedPoint& point, const LightRecord& light, ShadowRay& shadow);
 
 /// Rays to follow from a hit; a weight is zero where there is no ray.
@@ -47,6 +54,25 @@ struct NextRays {
   Vector refraction_direction, refraction_weight;
 };
 
+template <class R = float>
 NextRays next_rays(const ShadingConstants& constants, const ShadedPoint& point);
+
+/// The pixel's sum: `sum + color`, and `sum + weight * color`.
+template <class R = float>
+Vector add(Vector sum, Vector color);
+template <class R = float>
+Vector add_weighted(Vector sum, Vector weight, Vector color);
+
+/// All of the above, and the texture filter, with so many stored fraction bits.
+struct ShadingSteps {
+  decltype(&hw::filter<float>) filter;
+  decltype(&hw::sky<float>) sky;
+  decltype(&hw::begin_shading<float>) begin_shading;
+  decltype(&hw::light_contribution<float>) light_contribution;
+  decltype(&hw::next_rays<float>) next_rays;
+  decltype(&hw::add<float>) add;
+  decltype(&hw::add_weighted<float>) add_weighted;
+};
+const ShadingSteps& shading_steps(int fraction_bits);
 
 }  // namespace artu::hw

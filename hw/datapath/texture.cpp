@@ -36,8 +36,9 @@ float along(TextureWrap wrap, float u, std::uint32_t n, std::uint32_t index[2]) 
   return s - floored;
 }
 
-Vector decode_texel(std::uint32_t texel) {
-  return {decode(texel & 255), decode((texel >> 8) & 255), decode((texel >> 16) & 255)};
+template <class R>
+VectorOf<R> decode_texel(std::uint32_t texel) {
+  return to<R>({decode(texel & 255), decode((texel >> 8) & 255), decode((texel >> 16) & 255)});
 }
 
 }  // namespace
@@ -49,12 +50,17 @@ TextureFootprint footprint(const MaterialRecord& material, float u, float v) {
   return f;
 }
 
+template <class R>
 Vector filter(const TextureFootprint& f, const std::array<std::uint32_t, 4>& texels) {
-  const Vector t00 = decode_texel(texels[0]), t10 = decode_texel(texels[1]);
-  const Vector t01 = decode_texel(texels[2]), t11 = decode_texel(texels[3]);
-  const Vector top = t00 + (t10 - t00) * f.a_u;
-  const Vector bottom = t01 + (t11 - t01) * f.a_u;
-  return top + (bottom - top) * f.a_v;
+  const VectorOf<R> t00 = decode_texel<R>(texels[0]), t10 = decode_texel<R>(texels[1]);
+  const VectorOf<R> t01 = decode_texel<R>(texels[2]), t11 = decode_texel<R>(texels[3]);
+  const R a_u = R(f.a_u), a_v = R(f.a_v);
+  const VectorOf<R> top = t00 + (t10 - t00) * a_u;
+  const VectorOf<R> bottom = t01 + (t11 - t01) * a_u;
+  return from(top + (bottom - top) * a_v);
 }
+
+#define ARTU_INSTANTIATE(R) template Vector filter<R>(const TextureFootprint&, const std::array<std::uint32_t, 4>&);
+#include "hw/datapath/every_width.inc"
 
 }  // namespace artu::hw

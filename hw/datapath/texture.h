@@ -1,4 +1,5 @@
-// Bilinear texture filter in linear light (docs/arithmetic.md section 6).
+// Bilinear texture filter in linear light (docs/arithmetic.md section 6): addresses in binary32, colours in the shading
+// datapath's format.
 #pragma once
 
 #include <array>
@@ -15,7 +16,8 @@ struct TextureFootprint {
 
 TextureFootprint footprint(const MaterialRecord& material, float u, float v);
 
-/// Texels as packed R, G, B, A codes: (x0,y0), (x1,y0), (x0,y1), (x1,y1).
+/// In the number type R.  Texels as packed R, G, B, A codes: (x0,y0), (x1,y0), (x0,y1), (x1,y1).
+template <class R = float>
 Vector filter(const TextureFootprint& footprint, const std::array<std::uint32_t, 4>& texels);
 
 }  // namespace artu::hw

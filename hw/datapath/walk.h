@@ -1,8 +1,7 @@
 // A whole traversal as a function: what the ray core's traversal and intersection find, without time.
 #pragma once
 
-#include "hw/datapath/node_visit.h"
-#include "hw/datapath/triangle.h"
+#include "hw/datapath/hit_tests.h"
 #include "hw/memory/image.h"
 
 namespace artu::hw {
@@ -21,12 +20,12 @@ struct WalkCounts {
 /// Keeps the nearer of two hits; on equal t the one with the smaller primitive id (docs/arithmetic.md section 3).
 inline void consider(const TriangleHit& hit, std::uint32_t primitive, std::uint32_t triangle, bool dynamic,
                      Found& found) {
-  if (found.hit && !(hit.t < found.best.t || (hit.t == found.best.t && primitive < found.primitive))) return;
+  if (found.hit && !nearer(hit, primitive, found.best, found.primitive)) return;
   found = {true, dynamic, hit, primitive, triangle};
 }
 
-/// Closest hit of a ray that is set up, or with `any` the first that is found.
-Found walk(const FrameDescriptor& frame, const MemoryImage& image, const Ray& ray, bool any,
+/// Closest hit of a ray that `tests` has set up, or with `any` the first that is found.
+Found walk(const HitTests& tests, const FrameDescriptor& frame, const MemoryImage& image, const Ray& ray, bool any,
            WalkCounts* counts = nullptr);
 
 }  // namespace artu::hw

@@ -24,7 +24,7 @@ void HitPoint::compute(RayContext& context) {
   const FrameDescriptor& frame = registers_.descriptor;
   const auto& triangle = image_.at<TriangleRecord>(triangle_of(context));
   const auto& attributes = image_.at<AttributeRecord>(attributes_of(context));
-  context.surface = surface_at(context.ray, context.best, triangle, attributes);
+  context.surface = surface_at(context.ray, context.best, triangle, attributes, triangle_bits_);
   context.material = frame.materials + Address{triangle.material} * sizeof(MaterialRecord);
   ++hits_;
 }

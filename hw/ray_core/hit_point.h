@@ -16,8 +16,12 @@ namespace artu::hw {
 class HitPoint : public Block {
  public:
   HitPoint(sc_core::sc_module_name name, ClockDomain& domain, const FrameRegisters& registers, const MemoryImage& image,
-           RayContexts& contexts)
-      : Block(name, domain), registers_(registers), image_(image), contexts_(contexts) {}
+           RayContexts& contexts, const PrecisionConfig& precision = {})
+      : Block(name, domain),
+        registers_(registers),
+        image_(image),
+        contexts_(contexts),
+        triangle_bits_(static_cast<int>(precision.triangle)) {}
   void bind(Fifo<Slot>& in, Fifo<Slot>& out, MemoryLink& triangles) {
     in_ = &in;
     out_ = &out;
@@ -36,6 +40,7 @@ class HitPoint : public Block {
   const FrameRegisters& registers_;
   const MemoryImage& image_;
   RayContexts& contexts_;
+  const int triangle_bits_;
   Fifo<Slot>* in_ = nullptr;
   Fifo<Slot>* out_ = nullptr;
   MemoryLink* triangles_ = nullptr;

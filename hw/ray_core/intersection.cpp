@@ -17,12 +17,10 @@ void Intersection::test(Slot slot, std::uint32_t index) {
       (dynamic ? frame.dynamic_triangles : frame.static_triangles) + Address{triangle} * sizeof(TriangleRecord));
   ++tests_;
   TriangleHit hit;
-  if (!intersect(context.ray, record.a, record.b, record.c, hit)) return;
+  if (!hit_tests_.triangle(context.ray, record.a, record.b, record.c, hit)) return;
   ++hits_;
   if (fault_ != 0) hit.t = float_of(bits_of(hit.t) ^ fault_);
-  const bool closer = !context.found || hit.t < context.best.t ||
-                      (hit.t == context.best.t && record.primitive < context.best_primitive);
-  if (!closer) return;
+  if (context.found && !nearer(hit, record.primitive, context.best, context.best_primitive)) return;
   context.found = true;
   context.best = hit;
   context.best_primitive = record.primitive;

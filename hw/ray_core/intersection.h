@@ -17,8 +17,13 @@ namespace artu::hw {
 class Intersection : public Block {
  public:
   Intersection(sc_core::sc_module_name name, ClockDomain& domain, const FrameRegisters& registers,
-               const MemoryImage& image, RayContexts& contexts)
-      : Block(name, domain), registers_(registers), image_(image), contexts_(contexts), leaves_(contexts.size()) {}
+               const MemoryImage& image, RayContexts& contexts, const PrecisionConfig& precision = {})
+      : Block(name, domain),
+        registers_(registers),
+        image_(image),
+        contexts_(contexts),
+        hit_tests_(precision),
+        leaves_(contexts.size()) {}
   void bind(Fifo<LeafTask>& in, Fifo<Slot>& tested, MemoryLink& triangles) {
     in_ = &in;
     tested_ = &tested;
@@ -43,6 +48,7 @@ class Intersection : public Block {
   const FrameRegisters& registers_;
   const MemoryImage& image_;
   RayContexts& contexts_;
+  const HitTests hit_tests_;
   Fifo<LeafTask>* in_ = nullptr;
   Fifo<Slot>* tested_ = nullptr;
   MemoryLink* triangles_ = nullptr;

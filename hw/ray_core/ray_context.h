@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "hw/datapath/node_visit.h"
+#include "hw/datapath/hit_tests.h"
 #include "hw/datapath/shading.h"
 #include "hw/datapath/texture.h"
 #include "hw/fabric/timeline.h"

@@ -17,7 +17,7 @@ void RayGenerator::start(Slot slot, const PixelJob& job) {
   context.depth = 0;
   context.pending_count = 0;
   context.ray = primary_ray(registers_.descriptor.camera, job.x, job.y);
-  if (!is_zero(context.ray.direction)) set_up(context.ray);
+  if (!is_zero(context.ray.direction)) hit_tests_.set_up(context.ray);
 }
 
 Activity RayGenerator::tick(Cycle now) {
@@ -30,7 +30,7 @@ Activity RayGenerator::tick(Cycle now) {
   if (next_rays_->can_pop() && others_->can_push()) {
     const Slot slot = next_rays_->front();
     next_rays_->pop();
-    set_up(contexts_[slot].ray);
+    hit_tests_.set_up(contexts_[slot].ray);
     ++rays_[static_cast<std::size_t>(contexts_[slot].kind)];
     others_->push(slot);
     moved = true;

@@ -16,8 +16,8 @@ namespace artu::hw {
 class RayGenerator : public Block {
  public:
   RayGenerator(sc_core::sc_module_name name, ClockDomain& domain, const FrameRegisters& registers,
-               RayContexts& contexts)
-      : Block(name, domain), registers_(registers), contexts_(contexts) {}
+               RayContexts& contexts, const PrecisionConfig& precision = {})
+      : Block(name, domain), registers_(registers), contexts_(contexts), hit_tests_(precision) {}
   void bind(Fifo<PixelJob>& jobs, Fifo<Slot>& next_rays, Fifo<Slot>& freed, Fifo<Slot>& primary, Fifo<Slot>& others) {
     jobs_ = &jobs;
     next_rays_ = &next_rays;
@@ -37,6 +37,7 @@ class RayGenerator : public Block {
 
   const FrameRegisters& registers_;
   RayContexts& contexts_;
+  const HitTests hit_tests_;
   Fifo<PixelJob>* jobs_ = nullptr;
   Fifo<Slot>* next_rays_ = nullptr;
   Fifo<Slot>* freed_ = nullptr;

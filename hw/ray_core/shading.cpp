@@ -77,15 +77,15 @@ Vector Shading::texture_of(const RayContext& context, const MaterialRecord& mate
     texels[i] = image_.at<std::uint32_t>(
         texel_address(material.texels, material.width, context.footprint.x[i & 1], context.footprint.y[i >> 1]));
   }
-  return filter(context.footprint, texels);
+  return steps_.filter(context.footprint, texels);
 }
 
 void Shading::shade(Slot slot, Cycle now) {
   RayContext& context = contexts_[slot];
   const auto& material = image_.at<MaterialRecord>(context.material);
-  const Vector base = begin_shading(registers_.shading, context.surface, material, texture_of(context, material),
-                                    context.ray.direction, context.weight, context.point);
-  context.sum = context.sum + context.weight * base;
+  const Vector base = steps_.begin_shading(registers_.shading, context.surface, material, texture_of(context, material),
+                                           context.ray.direction, context.weight, context.point);
+  context.sum = steps_.add_weighted(context.sum, context.weight, base);
   context.light = 0;
   ++shaded_;
   lights(slot, now, pipelines_.texture + pipelines_.accumulate);
@@ -98,7 +98,7 @@ void Shading::lights(Slot slot, Cycle now, std::uint32_t latency) {
   ShadowRay shadow;
   bool found = false;
   while (!found && context.light < registers_.lights.size()) {
-    found = light_contribution(context.point, registers_.lights[context.light++], shadow);
+    found = steps_.light_contribution(context.point, registers_.lights[context.light++], shadow);
     ++looked_at;
   }
   lights_ += looked_at;
@@ -115,7 +115,7 @@ void Shading::lights(Slot slot, Cycle now, std::uint32_t latency) {
     return;
   }
   if (context.depth < registers_.shading.max_depth) {
-    const NextRays next = next_rays(registers_.shading, context.point);
+    const NextRays next = steps_.next_rays(registers_.shading, context.point);
     const auto depth = static_cast<std::uint8_t>(context.depth + 1);
     // Last in, first out: the reflection ray is followed to its end before the refraction ray.
     if (next.refraction) {
@@ -194,14 +194,15 @@ Activity Shading::tick(Cycle now) {
       const Slot slot = ports_.shadows->front();
       ports_.shadows->pop();
       RayContext& context = contexts_[slot];
-      if (!context.found) context.sum = context.sum + context.contribution;
+      if (!context.found) context.sum = steps_.add(context.sum, context.contribution);
       lights(slot, now, pipelines_.accumulate);
       moved = true;
     } else if (ports_.misses->can_pop()) {
       const Slot slot = ports_.misses->front();
       ports_.misses->pop();
       RayContext& context = contexts_[slot];
-      context.sum = context.sum + context.weight * sky(registers_.shading, context.ray.direction);
+      const Vector sky = steps_.sky(registers_.shading, context.ray.direction);
+      context.sum = steps_.add_weighted(context.sum, context.weight, sky);
       ++sky_;
       shader_free_ = now + 1;
       next_ray(slot, now, pipelines_.accumulate);

@@ -22,12 +22,13 @@ namespace artu::hw {
 class Shading : public Block {
  public:
   Shading(sc_core::sc_module_name name, ClockDomain& domain, const FrameRegisters& registers, const MemoryImage& image,
-          RayContexts& contexts, const Pipelines& pipelines)
+          RayContexts& contexts, const Pipelines& pipelines, const PrecisionConfig& precision = {})
       : Block(name, domain),
         registers_(registers),
         image_(image),
         contexts_(contexts),
         pipelines_(pipelines),
+        steps_(shading_steps(static_cast<int>(precision.shading))),
         fetch_queue_(contexts.size()),
         shade_queue_(contexts.size()),
         finish_queue_(contexts.size()) {}
@@ -83,6 +84,7 @@ class Shading : public Block {
   const MemoryImage& image_;
   RayContexts& contexts_;
   const Pipelines pipelines_;
+  const ShadingSteps& steps_;
   Ports ports_{};
   PixelRecords* records_ = nullptr;
   std::uint8_t fault_ = 0;

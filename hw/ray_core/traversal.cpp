@@ -36,7 +36,7 @@ void Traversal::begin(Slot slot, Cycle now) {
   Steps steps;
   if (!is_zero(context.ray.direction)) {
     const FrameDescriptor& frame = registers_.descriptor;
-    visit_roots(frame, context.ray, fault_, steps);
+    hit_tests_.roots(frame, context.ray, fault_, steps);
     bool dynamic = false;
     for (std::uint32_t i = 0; i < steps.count; ++i) dynamic |= NodeReference::is_dynamic(steps.step[i].node);
     if (frame.dynamic_root != NodeReference::none && !dynamic) ++dynamic_skipped_;
@@ -58,8 +58,8 @@ void Traversal::visit(Slot slot, Cycle now) {
   RayContext& context = contexts_[slot];
   const TreeKind kind = kind_of(context.next.node);
   Steps steps;
-  visit_node(kind, &image_.at<std::uint8_t>(address_of(context.next.node)), context.ray, context.next,
-             limit_of(context), fault_, steps);
+  hit_tests_.node(kind, &image_.at<std::uint8_t>(address_of(context.next.node)), context.ray, context.next,
+                  limit_of(context), fault_, steps);
   ++node_visits_;
   take(slot, steps, pipelines_.node(kind), now);
 }

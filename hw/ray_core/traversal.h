@@ -29,13 +29,15 @@ struct LeafTask {
 class Traversal : public Block {
  public:
   Traversal(sc_core::sc_module_name name, ClockDomain& domain, const FrameRegisters& registers,
-            const MemoryImage& image, RayContexts& contexts, const RayCoreConfig& config, const Pipelines& pipelines)
+            const MemoryImage& image, RayContexts& contexts, const RayCoreConfig& config, const Pipelines& pipelines,
+            const PrecisionConfig& precision = {})
       : Block(name, domain),
         registers_(registers),
         image_(image),
         contexts_(contexts),
         box_testers_(config.box_testers),
         pipelines_(pipelines),
+        hit_tests_(precision),
         ready_(contexts.size()) {}
 
   struct Ports {
@@ -80,6 +82,7 @@ class Traversal : public Block {
   RayContexts& contexts_;
   const std::uint32_t box_testers_;
   const Pipelines pipelines_;
+  const HitTests hit_tests_;
   Ports ports_{};
   std::uint32_t fault_ = 0;
   std::vector<Ready> ready_;  // rays in the box pipeline, in order; a ring of one entry a context

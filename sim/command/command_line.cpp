@@ -120,6 +120,15 @@ void add_stress_options(CLI::App& command, StressCommandOptions& stress) {
   command.add_option("--only", stress.stress.only, "One case, or one mesh in all its placements")
       ->option_text("CASE")
       ->group("Campaign");
+  command
+      .add_option_function<std::string>(
+          "--bits", [&stress](const std::string& list) { stress.formats = parse_formats(list); },
+          "Stored fraction bits of box and triangle test, each set a campaign of its own: 23 (default), 7-23, 10,15 or "
+          "BOX/TRIANGLE")
+      ->option_text("LIST")
+      ->group("Campaign");
+  command.add_flag("--leaks", stress.stress.leaks_only, "Closed meshes alone, from inside through vertices and edges")
+      ->group("Campaign");
   command.add_flag("--list", stress.list, "Print the cases and end")->group("Campaign");
   command.add_option("--json", stress.json, "Write the report as JSON as well")->option_text("FILE")->group("Output");
   command.add_flag("--force", stress.force, "Replace an existing FILE")->group("Output");

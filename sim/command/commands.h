@@ -14,6 +14,7 @@ enum ExitCode { exit_fine = 0, exit_mismatch = 1, exit_input = 2, exit_dead_lock
 
 struct StressCommandOptions {
   StressOptions stress;
+  std::vector<hw::PrecisionConfig> formats{{}};
   std::string json;  // "" = none given
   bool list = false, force = false, quiet = false;
 };

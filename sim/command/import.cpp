@@ -14,13 +14,13 @@ namespace {
 std::size_t write_frames(const FrameSource& source, const traces::Scene& scene, const ImportOptionsOfCommand& options) {
   const RemoveOnInterrupt guard(options.output + ".partial");
   traces::Writer writer(options.output, scene);
-  Progress progress(source.range().count(), options.quiet);
+  Progress progress(source.range().count(), "frames", options.quiet);
   std::size_t dynamic = 0;
   for (std::uint32_t index = source.range().first; index < source.range().last; ++index) {
     const traces::Frame frame = source.frame(index);
     dynamic = std::max(dynamic, frame.dynamic.triangle_count());
     writer.add(frame);
-    progress.frame_done();
+    progress.one_done();
   }
   writer.close();
   return dynamic;

@@ -20,7 +20,7 @@ std::string minutes(double seconds) {
 
 }  // namespace
 
-Progress::Progress(std::uint64_t frames, bool quiet) : frames_(frames) {
+Progress::Progress(std::uint64_t count, const char* what, bool quiet) : count_(count), what_(what) {
   if (!quiet && isatty(STDERR_FILENO)) thread_ = std::thread([this] { show(); });
 }
 
@@ -34,7 +34,7 @@ Progress::~Progress() {
   thread_.join();
 }
 
-void Progress::frame_done() {
+void Progress::one_done() {
   const std::lock_guard<std::mutex> lock(mutex_);
   ++done_;
 }
@@ -53,10 +53,10 @@ void Progress::show() {
       seen = done_;
       done_at_ = now;
     }
-    std::string line = fmt::format("\r[{:-<{}}] {}/{} frames, {} elapsed", std::string(width * done_ / frames_, '#'),
-                                   width, done_, frames_, minutes(now));
+    std::string line = fmt::format("\r[{:-<{}}] {}/{} {}, {} elapsed", std::string(width * done_ / count_, '#'), width,
+                                   done_, count_, what_, minutes(now));
     if (done_ > 0) {
-      const double left = done_at_ * static_cast<double>(frames_) / static_cast<double>(done_) - now;
+      const double left = done_at_ * static_cast<double>(count_) / static_cast<double>(done_) - now;
       line += fmt::format(", about {} left", minutes(left > 0 ? left : 0));
     }
     std::fputs((line + "\033[K").c_str(), stderr);

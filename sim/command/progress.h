@@ -10,21 +10,22 @@ namespace artu::sim {
 
 class Progress {
  public:
-  /// Shows nothing where stderr is no terminal, or `quiet`.
-  Progress(std::uint64_t frames, bool quiet);
+  /// Of `count` frames, cases, ... as `what` says.  Shows nothing where stderr is no terminal, or `quiet`.
+  Progress(std::uint64_t count, const char* what, bool quiet);
   ~Progress();  // clears the line
-  void frame_done();
+  void one_done();
 
  private:
   void show();
 
-  const std::uint64_t frames_;
+  const std::uint64_t count_;
+  const char* const what_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::uint64_t done_ = 0;
   double done_at_ = 0;  // seconds after the start
   bool finished_ = false;
-  std::thread thread_;  // a frame can take minutes: the bar lives on its own
+  std::thread thread_;  // one can take minutes: the bar lives on its own
 };
 
 }  // namespace artu::sim

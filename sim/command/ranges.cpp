@@ -92,6 +92,35 @@ hw::LogRule parse_log_rule(const std::string& text) {
                                         text));
 }
 
+std::vector<hw::PrecisionConfig> parse_formats(const std::string& text) {
+  const auto width = [](const std::string& word) -> std::optional<std::uint32_t> {
+    const auto bits = parse_number<std::uint32_t>(word);
+    return bits && *bits >= 7 && *bits <= 23 ? bits : std::nullopt;
+  };
+  std::vector<hw::PrecisionConfig> formats;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    const std::string item = text.substr(at, end - at);
+    const std::size_t cut = item.find_first_of("-/");
+    const auto first = width(item.substr(0, cut));
+    const auto second = cut == std::string::npos ? first : width(item.substr(cut + 1));
+    const bool range = cut != std::string::npos && item[cut] == '-';
+    if (!first || !second || (range && *first > *second)) {
+      throw InputError("--bits",
+                       fmt::format("\"{}\" is no width; M, M-N or BOX/TRIANGLE with 7 to 23 bits each, such as "
+                                   "7-23 or 10/23, would be right",
+                                   item));
+    }
+    if (range) {
+      for (std::uint32_t m = *first; m <= *second; ++m) formats.push_back({m, m, 23});
+    } else {
+      formats.push_back({*first, *second, 23});
+    }
+    at = end + 1;
+  }
+  return formats;
+}
+
 std::uint64_t parse_seed(const std::string& text) {
   if (const auto seed = parse_number<std::uint64_t>(text)) return *seed;
   throw InputError("--seed", fmt::format("\"{}\" is not a seed; an integer from 0 to 2^64 - 1 would be right", text));

@@ -1,11 +1,13 @@
-// Options that are more than a word: `--frames`, `--size`, `--seed`, `--inject-fault`, `--log`.
+// Options that are more than a word: `--frames`, `--size`, `--seed`, `--inject-fault`, `--log`, `--bits`.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hw/run_mode.h"
+#include "hw/unit_config.h"
 
 namespace artu::sim {
 
@@ -30,6 +32,9 @@ hw::Fault parse_fault(const std::string& text);
 
 /// "BLOCK=LEVEL", as in `--log core0.traversal=debug`.  Throws InputError; whether there is such a block shows later.
 hw::LogRule parse_log_rule(const std::string& text);
+
+/// Items between commas: M, M-N (all widths from M to N), or BOX/TRIANGLE, each 7 ... 23.  Throws InputError.
+std::vector<hw::PrecisionConfig> parse_formats(const std::string& text);
 
 /// 0 ... 2^64 - 1.  Throws InputError.
 std::uint64_t parse_seed(const std::string& text);

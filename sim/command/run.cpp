@@ -61,7 +61,7 @@ RunResult run_frames(const FrameSource& source, Simulator& simulator, const ref:
                      RunReport& report) {
   RunResult result;
   const FrameRange range = source.range();
-  Progress progress(range.count(), quiet);
+  Progress progress(range.count(), "frames", quiet);
   for (std::uint32_t index = range.first; index < range.last; ++index) {
     const traces::Frame frame = source.frame(index);
     const FrameOutcome outcome = simulator.run(frame);
@@ -71,7 +71,7 @@ RunResult run_frames(const FrameSource& source, Simulator& simulator, const ref:
     add(result.sum, totals);
     report_violations(outcome);
     result.lawful = result.lawful && outcome.violations.empty();
-    progress.frame_done();
+    progress.one_done();
   }
   return result;
 }

@@ -14,21 +14,25 @@ int stress_command(const StressCommandOptions& options) {
     fmt::print("{}", format_case_list());
     return exit_fine;
   }
-  const std::uint64_t cases = stress_cases(options.stress.only).size();
+  const std::uint64_t cases = stress_cases(options.stress.only, options.stress.leaks_only).size();
   std::unique_ptr<AtomicFile> json;  // refuses what exists before anything slow begins
   if (!options.json.empty()) json = std::make_unique<AtomicFile>(options.json, options.force);
-  StressReport report;
+  StressReports reports;
   {
-    Progress progress(cases, options.quiet);
-    report = run_stress(options.stress, [&] { progress.frame_done(); });
+    Progress progress(cases * options.formats.size(), "cases", options.quiet);
+    for (const hw::PrecisionConfig& format : options.formats) {
+      StressOptions one = options.stress;
+      one.precision = format;
+      reports.push_back(run_stress(one, [&] { progress.one_done(); }));
+    }
   }
-  const StressTotals totals = totals_of(report);
+  const StressTotals totals = totals_of(reports);
   if (json) {
-    json->write(format_json(report));
+    json->write(format_json(reports));
     json->close();
   }
   if (!options.quiet) {
-    fmt::print("{}", format_table(report));
+    fmt::print("{}", format_table(reports));
   } else if (totals.first != nullptr) {
     fmt::print("{}", format_failure(*totals.first));
   }

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "sim/stress/accuracy.h"
 #include "sim/stress/rays.h"
 #include "sim/stress/result.h"
 
@@ -19,6 +20,8 @@ struct CampaignPlan {
   std::uint64_t slow_every = 1;       // rays from one that `slow` subjects answer to the next
   std::uint64_t exact_every = 4;      // that are compared with exact arithmetic
   std::uint64_t secondary_every = 2;  // hits whose surface point is tested
+  hw::PrecisionConfig precision;
+  bool leaks_only = false;  // rays that leave a closed surface through its vertices and edges, and nothing else
 };
 
 class Campaign {
@@ -35,14 +38,17 @@ class Campaign {
              bool occluded, const char* kind, std::uint64_t index);
   void leave_surface(const StressRay& from, const Answer& answer, std::uint64_t index);
   void measure(const StressRay& ray, const Answer& answer);
+  void judge_leak(const StressRay& ray, const Answer& answer, std::uint64_t index);
+  void run_leaks();
   void keep(const Failure& failure);
 
   const StressGeometry& geometry_;
   const std::vector<Corners>& triangles_;
   const Contest contest_;
   const CampaignPlan plan_;
+  const hw::HitTests tests_;
   const RaySource source_;
-  const float size_;
+  const Scale scale_;
   CaseResult result_;
   std::vector<Answer> answers_;
   std::vector<bool> occluded_;

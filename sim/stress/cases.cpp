@@ -26,6 +26,7 @@ const std::vector<MeshEntry>& mesh_entries() {
   static const std::vector<MeshEntry> entries = {
       {"sphere", "closed and convex, 20,480 triangles"},
       {"box", "closed, in the axes' planes, 3,072 triangles of both classes"},
+      {"needles", "closed, 5,120 triangles, half of them slivers of aspect 1e6"},
       {"height", "height field, 8,192 triangles"},
       {"soup", "1,500 random triangles of both classes"},
       {"slivers", "1,000 triangles of aspect 1e6"},
@@ -35,7 +36,7 @@ const std::vector<MeshEntry>& mesh_entries() {
       {"one", "one triangle"},
       {"empty", "no triangle"},
       {"identical", "one triangle 1,000,000 times; 1,000 times unless it is named with --only"},
-      {"bunny", "the bunny of glmark2, if it is installed"},
+      {"bunny", "the bunny of glmark2, closed, 69,666 triangles, if it is installed"},
   };
   return entries;
 }
@@ -48,10 +49,15 @@ const std::vector<Placement>& placements() {
   return all;
 }
 
-std::vector<StressCase> stress_cases(const std::string& only) {
+bool is_closed_mesh(const std::string& mesh) {
+  return mesh == "sphere" || mesh == "box" || mesh == "needles" || mesh == "bunny";
+}
+
+std::vector<StressCase> stress_cases(const std::string& only, bool closed) {
   std::vector<StressCase> cases;
   std::vector<std::string> names;
   for (const MeshEntry& mesh : mesh_entries()) {
+    if (closed && !is_closed_mesh(mesh.name)) continue;
     names.emplace_back(mesh.name);
     for (const Placement& placement : placements()) {
       const StressCase one{mesh.name, placement};
@@ -60,7 +66,8 @@ std::vector<StressCase> stress_cases(const std::string& only) {
     }
   }
   if (cases.empty()) {
-    throw InputError("--only", "unknown case \"" + only + "\"; did you mean " + nearest_of(names, only) + "?");
+    throw InputError("--only", "unknown case \"" + only + (closed ? "\" of a closed mesh" : "\"") + "; did you mean " +
+                                   nearest_of(names, only) + "?");
   }
   return cases;
 }
@@ -73,6 +80,7 @@ bool is_available(const std::string& mesh) {
 StressGeometry make_mesh(const std::string& mesh, std::uint64_t seed, bool full) {
   seed = Random::mix(seed) ^ Random::hash(mesh);
   if (mesh == "sphere") return sphere_mesh(5);
+  if (mesh == "needles") return needle_mesh(3);
   if (mesh == "box") return box_mesh(16);
   if (mesh == "height") return height_mesh(64, seed);
   if (mesh == "soup") return soup_mesh(1500, seed);

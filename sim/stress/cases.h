@@ -28,8 +28,10 @@ struct MeshEntry {
 const std::vector<MeshEntry>& mesh_entries();
 const std::vector<Placement>& placements();
 
-/// All cases, or those that `only` names: a case, or a mesh in all its placements.  Throws InputError.
-std::vector<StressCase> stress_cases(const std::string& only);
+/// All cases, or those that `only` names: a case, or a mesh in all its placements; with `closed` those of closed meshes
+/// alone.  Throws InputError.
+std::vector<StressCase> stress_cases(const std::string& only, bool closed = false);
+bool is_closed_mesh(const std::string& mesh);
 
 /// Whether what the mesh is made from is there.
 bool is_available(const std::string& mesh);

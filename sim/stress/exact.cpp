@@ -71,11 +71,11 @@ double distance(float value, const Integer& numerator, const Integer& denominato
   return std::fabs(ratio(left - right, denominator, common - unit));
 }
 
-int ulp_exponent(float t) { return t == 0 ? -149 : std::max(std::ilogb(t) - 23, -149); }
+int ulp_exponent(float t, int bits) { return t == 0 ? -126 - bits : std::max(std::ilogb(t), -126) - bits; }
 
 }  // namespace
 
-Exact exact_test(const hw::Ray& ray, const Corners& triangle, const hw::TriangleHit* hit) {
+Exact exact_test(const hw::Ray& ray, const Corners& triangle, const hw::TriangleHit* hit, int triangle_bits) {
   Exact out;
   const int place = std::min(std::min(exponent_of(ray.origin), exponent_of(triangle[0])),
                              std::min(exponent_of(triangle[1]), exponent_of(triangle[2])));
@@ -95,9 +95,9 @@ Exact exact_test(const hw::Ray& ray, const Corners& triangle, const hw::Triangle
   out.c = ratio(nc, det, 0);
   out.t = ratio(nt, det, place - turn);
   if (hit != nullptr) {
-    out.t_ulps = distance(hit->t, nt, det, place - turn, ulp_exponent(hit->t));
-    out.u_error = distance(hit->U / hit->det, na, det, 0, -24);
-    out.v_error = distance(hit->V / hit->det, nb, det, 0, -24);
+    out.t_ulps = distance(hit->t, nt, det, place - turn, ulp_exponent(hit->t, triangle_bits));
+    out.u_error = distance(hit->U / hit->det, na, det, 0, -1 - triangle_bits);
+    out.v_error = distance(hit->V / hit->det, nb, det, 0, -1 - triangle_bits);
   }
   return out;
 }

@@ -65,20 +65,36 @@ Json object_of(const CaseResult& r) {
   return object;
 }
 
-}  // namespace
-
-std::string format_json(const StressReport& report) {
-  const StressTotals totals = totals_of(report);
-  Json json = {{"schema", 1}, {"seed", report.options.seed}, {"rays", totals.rays}, {"hits", totals.hits}};
+Json object_of(const StressReport& report) {
+  const StressTotals totals = totals_of({report});
+  Json json = {{"box_bits", report.options.precision.box}, {"triangle_bits", report.options.precision.triangle}};
+  json["rays"] = totals.rays;
+  json["hits"] = totals.hits;
   json["secondary_rays"] = totals.secondary;
   json["mismatches"] = totals.mismatches;
   json["leaks"] = totals.leaks;
-  json["passed"] = totals.passed();
+  json["all"] = object_of(sum_of(report));
   json["cases"] = Json::array();
   for (const CaseResult& one : report.cases) json["cases"].push_back(object_of(one));
   json["placements"] = Json::array();
   for (const CaseResult& one : by_placement(report)) json["placements"].push_back(object_of(one));
   json["skipped"] = report.skipped;
+  return json;
+}
+
+}  // namespace
+
+std::string format_json(const StressReports& reports) {
+  const StressTotals totals = totals_of(reports);
+  const StressOptions& options = reports[0].options;
+  Json json = {{"schema", 2}, {"seed", options.seed}, {"leaks_only", options.leaks_only}};
+  json["rays"] = totals.rays;
+  json["secondary_rays"] = totals.secondary;
+  json["mismatches"] = totals.mismatches;
+  json["leaks"] = totals.leaks;
+  json["passed"] = totals.passed();
+  json["formats"] = Json::array();
+  for (const StressReport& report : reports) json["formats"].push_back(object_of(report));
   json["first"] = totals.first != nullptr ? object_of(*totals.first) : Json();
   return json.dump(1) + "\n";
 }

@@ -62,6 +62,30 @@ StressGeometry sphere_mesh(int levels) {
   return geometry;
 }
 
+StressGeometry needle_mesh(int levels) {
+  const StressGeometry sphere = sphere_mesh(levels);
+  const traces::Mesh& mesh = sphere.fixed;
+  std::vector<Vector> v;
+  for (const traces::Vec3& p : mesh.positions) v.push_back({p.x, p.y, p.z});
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> splits;
+  const auto split = [&](std::uint32_t a, std::uint32_t b) {
+    const std::pair<std::uint32_t, std::uint32_t> edge = std::minmax(a, b);
+    const auto [at, fresh] = splits.emplace(edge, static_cast<std::uint32_t>(v.size()));
+    if (fresh) v.push_back(v[edge.first] + (v[edge.second] - v[edge.first]) * 1e-6f);
+    return at->second;
+  };
+  std::vector<std::uint32_t> faces;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const std::uint32_t a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
+    const std::uint32_t ab = split(a, b), bc = split(b, c), ca = split(c, a);
+    for (const std::uint32_t index : {a, ab, ca, b, bc, ab, c, ca, bc, ab, bc, ca}) faces.push_back(index);
+  }
+  StressGeometry geometry;
+  share_faces(geometry, v, faces);
+  geometry.closed = true;
+  return geometry;
+}
+
 StressGeometry box_mesh(int steps) {
   StressGeometry geometry;
   int turn = 0;

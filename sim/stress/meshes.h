@@ -8,7 +8,9 @@
 namespace artu::sim {
 
 StressGeometry sphere_mesh(int levels);  // 20 * 4^levels triangles, shared vertices
-StressGeometry box_mesh(int steps);      // a closed box in the axes' planes, its triangles in turn of either class
+/// A sphere whose edges are split at a millionth of their length: half of its triangles are slivers.
+StressGeometry needle_mesh(int levels);
+StressGeometry box_mesh(int steps);  // a closed box in the axes' planes, its triangles in turn of either class
 StressGeometry height_mesh(int steps, std::uint64_t seed);
 StressGeometry soup_mesh(int count, std::uint64_t seed);      // a third of it dynamic
 StressGeometry sliver_mesh(int count, std::uint64_t seed);    // aspect 1e6

@@ -1,15 +1,17 @@
 #include "sim/stress/secondary.h"
 
+#include "hw/datapath/hit_tests.h"
+
 namespace artu::sim {
 namespace {
 
 using hw::Vector;
 
-hw::Ray ray_from(Vector origin, Vector direction) {
+hw::Ray ray_from(Vector origin, Vector direction, const hw::HitTests& tests) {
   hw::Ray ray;
   ray.origin = origin;
   ray.direction = direction;
-  hw::set_up(ray);
+  tests.set_up(ray);
   return ray;
 }
 
@@ -22,12 +24,15 @@ Vector upwards(Vector normal, Random& random) {
 
 }  // namespace
 
-SecondaryRays secondary_rays(const hw::Ray& from, const hw::TriangleHit& hit, const Corners& triangle, Random& random) {
+SecondaryRays secondary_rays(const hw::Ray& from, const hw::TriangleHit& hit, const Corners& triangle,
+                             const hw::PrecisionConfig& precision, Random& random) {
   hw::TriangleRecord record{};
   record.a = triangle[0];
   record.b = triangle[1];
   record.c = triangle[2];
-  const hw::Surface surface = hw::surface_at(from, hit, record, hw::AttributeRecord{});
+  const hw::Surface surface =
+      hw::surface_at(from, hit, record, hw::AttributeRecord{}, static_cast<int>(precision.triangle));
+  const hw::HitTests tests(precision);
   const Vector normal = surface.geometric_normal;
   Vector along = hw::unit(from.direction);
   if (!(hw::dot(along, normal) < 0)) along = -normal;  // exactly grazing: no mirror direction
@@ -35,9 +40,9 @@ SecondaryRays secondary_rays(const hw::Ray& from, const hw::TriangleHit& hit, co
   if (!(hw::dot(mirror, normal) > 0)) mirror = normal;
   SecondaryRays rays;
   rays.front = surface.front;
-  rays.out = {ray_from(surface.outside, upwards(normal, random)), ray_from(surface.outside, upwards(normal, random)),
-              ray_from(surface.outside, mirror)};
-  rays.in = {ray_from(surface.inside, -upwards(normal, random)), ray_from(surface.inside, along)};
+  rays.out = {ray_from(surface.outside, upwards(normal, random), tests),
+              ray_from(surface.outside, upwards(normal, random), tests), ray_from(surface.outside, mirror, tests)};
+  rays.in = {ray_from(surface.inside, -upwards(normal, random), tests), ray_from(surface.inside, along, tests)};
   return rays;
 }
 

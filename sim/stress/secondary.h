@@ -15,6 +15,8 @@ struct SecondaryRays {
   bool front = true;           // the ray came from where the winding's normal points
 };
 
-SecondaryRays secondary_rays(const hw::Ray& from, const hw::TriangleHit& hit, const Corners& triangle, Random& random);
+/// By a unit with these formats.
+SecondaryRays secondary_rays(const hw::Ray& from, const hw::TriangleHit& hit, const Corners& triangle,
+                             const hw::PrecisionConfig& precision, Random& random);
 
 }  // namespace artu::sim

@@ -9,14 +9,17 @@
 namespace artu::sim {
 namespace {
 
-/// Up to here brute force answers every ray, beyond it as many as these triangle tests buy.
-constexpr std::uint64_t small_mesh = 1500, brute_force_tests = 1000000, brute_force_tests_a_ray = 100;
+/// Triangle tests of a case that brute force may spend, and for each ray where there are many; more where a ray costs
+/// few.
+constexpr std::uint64_t small_mesh = 1500, tests_of_small = 20000000, tests_of_large = 1000000, tests_a_ray = 100;
+/// Below this width Embree's boxes are so wide for rays from far away that they are all met.
+constexpr int narrow = 17;
 /// Where every ray meets every triangle: tests that a subject may spend on a case.
 constexpr std::uint64_t overlapping_tests = 20000000;
 
 std::uint64_t stride(std::uint64_t rays, std::uint64_t triangles) {
-  if (triangles <= small_mesh) return 1;
-  const std::uint64_t sample = std::max(brute_force_tests, rays * brute_force_tests_a_ray) / triangles;
+  const std::uint64_t budget = triangles <= small_mesh ? tests_of_small : tests_of_large;
+  const std::uint64_t sample = std::max(budget, rays * tests_a_ray) / std::max<std::uint64_t>(triangles, 1);
   if (sample >= rays) return 1;
   std::uint64_t every = rays / std::max<std::uint64_t>(sample, 1);
   // Prime to the number of kinds of rays (10), or only some kinds would be met.
@@ -47,16 +50,21 @@ CaseResult run_case(const StressCase& name, std::uint64_t rays, const StressOpti
   }
   plan.slow_every = stride(plan.rays, triangles.size());
 
-  const RaySource source(StressGeometry{}, triangles, plan.seed);
+  plan.precision = options.precision;
+  plan.leaks_only = options.leaks_only;
+  const hw::HitTests tests(plan.precision);
+  const RaySource source(StressGeometry{}, triangles, plan.seed, plan.precision);
+  const ref::Precision golden{static_cast<int>(plan.precision.box), static_cast<int>(plan.precision.triangle), 23};
   const ref::Extent near = extent_of(source.near_origins());
-  const auto tracer = std::make_shared<const ref::Tracer>(geometry.fixed, geometry.dynamic, near);
-  const auto far = std::make_shared<const ref::Tracer>(geometry.fixed, geometry.dynamic, extent_of(source.origins()));
-  const SubjectPointer truth = brute_force(triangles), reference = golden_brute_force(tracer);
+  const auto tracer = std::make_shared<const ref::Tracer>(geometry.fixed, geometry.dynamic, near, golden);
+  const auto far =
+      std::make_shared<const ref::Tracer>(geometry.fixed, geometry.dynamic, extent_of(source.origins()), golden);
+  const SubjectPointer truth = brute_force(triangles, tests), reference = golden_brute_force(tracer);
   std::vector<SubjectPointer> fast;
   for (const hw::TreeKind kind : {hw::TreeKind::bvh2, hw::TreeKind::bvh4, hw::TreeKind::bvh8, hw::TreeKind::kd}) {
-    fast.push_back(walker(kind_name(kind), lay_down(geometry, kind)));
+    fast.push_back(walker(kind_name(kind), lay_down(geometry, kind), tests));
   }
-  fast.push_back(golden_traversal(tracer, near, far));
+  fast.push_back(golden_traversal(tracer, near, far, golden.narrower_test() < narrow));
   Contest contest;
   contest.truth = truth.get();
   contest.slow = {reference.get()};
@@ -67,7 +75,7 @@ CaseResult run_case(const StressCase& name, std::uint64_t rays, const StressOpti
 StressReport run_stress(const StressOptions& options, const CaseDone& done) {
   StressReport report;
   report.options = options;
-  const std::vector<StressCase> cases = stress_cases(options.only);
+  const std::vector<StressCase> cases = stress_cases(options.only, options.leaks_only);
   std::uint64_t count = 0;
   for (const StressCase& one : cases) count += is_available(one.mesh) ? 1 : 0;
   for (const StressCase& one : cases) {

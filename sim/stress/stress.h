@@ -13,6 +13,8 @@ struct StressOptions {
   std::uint64_t rays = 200000;  // over all cases
   std::uint64_t seed = 1;
   std::string only;
+  hw::PrecisionConfig precision;  // of box and triangle test; shading plays no part
+  bool leaks_only = false;        // closed meshes, rays from inside through vertices and edges
 };
 
 struct StressReport {

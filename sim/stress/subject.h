@@ -38,6 +38,8 @@ class Subject {
   /// `ray` is set up by hw; a subject with a set-up of its own takes origin, direction and tmax.
   virtual Answer closest(const hw::Ray& ray) const = 0;
   virtual bool occluded(const hw::Ray& ray) const = 0;
+  /// Whether this ray costs so much that it is only asked with the sample that brute force answers.
+  virtual bool is_slow(const hw::Ray&) const { return false; }
 
  private:
   std::string name_;

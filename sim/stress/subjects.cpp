@@ -9,40 +9,46 @@ namespace {
 
 class BruteForce : public Subject {
  public:
-  explicit BruteForce(const std::vector<Corners>& triangles) : Subject("brute"), triangles_(triangles) {}
+  BruteForce(const std::vector<Corners>& triangles, const hw::HitTests& tests)
+      : Subject("brute"), triangles_(triangles), tests_(tests) {}
 
   Answer closest(const hw::Ray& ray) const override {
     hw::Found found;
     hw::TriangleHit hit;
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
       const Corners& t = triangles_[i];
-      if (hw::intersect(ray, t[0], t[1], t[2], hit)) hw::consider(hit, i, i, false, found);
+      if (tests_.triangle(ray, t[0], t[1], t[2], hit)) hw::consider(hit, i, i, false, found);
     }
     return answer_of(found);
   }
   bool occluded(const hw::Ray& ray) const override {
     hw::TriangleHit hit;
     for (const Corners& t : triangles_) {
-      if (hw::intersect(ray, t[0], t[1], t[2], hit)) return true;
+      if (tests_.triangle(ray, t[0], t[1], t[2], hit)) return true;
     }
     return false;
   }
 
  private:
   const std::vector<Corners>& triangles_;
+  const hw::HitTests tests_;
 };
 
 class Walker : public Subject {
  public:
-  Walker(std::string name, std::shared_ptr<const LaidDown> laid) : Subject(std::move(name)), laid_(std::move(laid)) {}
+  Walker(std::string name, std::shared_ptr<const LaidDown> laid, const hw::HitTests& tests)
+      : Subject(std::move(name)), laid_(std::move(laid)), tests_(tests) {}
 
   Answer closest(const hw::Ray& ray) const override {
-    return answer_of(hw::walk(laid_->frame, laid_->image, ray, false));
+    return answer_of(hw::walk(tests_, laid_->frame, laid_->image, ray, false));
   }
-  bool occluded(const hw::Ray& ray) const override { return hw::walk(laid_->frame, laid_->image, ray, true).hit; }
+  bool occluded(const hw::Ray& ray) const override {
+    return hw::walk(tests_, laid_->frame, laid_->image, ray, true).hit;
+  }
 
  private:
   std::shared_ptr<const LaidDown> laid_;
+  const hw::HitTests tests_;
 };
 
 traces::Vec3 plain(hw::Vector v) { return {v.x, v.y, v.z}; }
@@ -55,8 +61,8 @@ Answer answer_of(const ref::TracedHit& traced) {
 class GoldenTraversal : public Subject {
  public:
   GoldenTraversal(std::shared_ptr<const ref::Tracer> near, const ref::Extent& origins,
-                  std::shared_ptr<const ref::Tracer> far)
-      : Subject("embree"), near_(std::move(near)), origins_(origins), far_(std::move(far)) {}
+                  std::shared_ptr<const ref::Tracer> far, bool far_is_slow)
+      : Subject("embree"), near_(std::move(near)), origins_(origins), far_(std::move(far)), far_is_slow_(far_is_slow) {}
 
   Answer closest(const hw::Ray& ray) const override {
     return answer_of(tracer(ray).closest(plain(ray.origin), plain(ray.direction), ray.tmax));
@@ -64,6 +70,7 @@ class GoldenTraversal : public Subject {
   bool occluded(const hw::Ray& ray) const override {
     return tracer(ray).occluded(plain(ray.origin), plain(ray.direction), ray.tmax);
   }
+  bool is_slow(const hw::Ray& ray) const override { return far_is_slow_ && &tracer(ray) == far_.get(); }
 
  private:
   const ref::Tracer& tracer(const hw::Ray& ray) const {
@@ -77,6 +84,7 @@ class GoldenTraversal : public Subject {
   std::shared_ptr<const ref::Tracer> near_;
   ref::Extent origins_;
   std::shared_ptr<const ref::Tracer> far_;
+  bool far_is_slow_;
 };
 
 class GoldenBruteForce : public Subject {
@@ -143,19 +151,21 @@ std::shared_ptr<const LaidDown> lay_down(const StressGeometry& geometry, hw::Tre
   return laid;
 }
 
-SubjectPointer brute_force(const std::vector<Corners>& triangles) { return std::make_unique<BruteForce>(triangles); }
+SubjectPointer brute_force(const std::vector<Corners>& triangles, const hw::HitTests& tests) {
+  return std::make_unique<BruteForce>(triangles, tests);
+}
 
-SubjectPointer walker(std::string name, std::shared_ptr<const LaidDown> laid) {
-  return std::make_unique<Walker>(std::move(name), std::move(laid));
+SubjectPointer walker(std::string name, std::shared_ptr<const LaidDown> laid, const hw::HitTests& tests) {
+  return std::make_unique<Walker>(std::move(name), std::move(laid), tests);
 }
 
 SubjectPointer golden_traversal(std::shared_ptr<const ref::Tracer> tracer) {
-  return std::make_unique<GoldenTraversal>(tracer, ref::Extent(), tracer);
+  return std::make_unique<GoldenTraversal>(tracer, ref::Extent(), tracer, false);
 }
 
 SubjectPointer golden_traversal(std::shared_ptr<const ref::Tracer> near, const ref::Extent& origins,
-                                std::shared_ptr<const ref::Tracer> far) {
-  return std::make_unique<GoldenTraversal>(std::move(near), origins, std::move(far));
+                                std::shared_ptr<const ref::Tracer> far, bool far_is_slow) {
+  return std::make_unique<GoldenTraversal>(std::move(near), origins, std::move(far), far_is_slow);
 }
 
 SubjectPointer golden_brute_force(std::shared_ptr<const ref::Tracer> tracer) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "hw/datapath/hit_tests.h"
 #include "hw/memory/image.h"
 #include "ref/tracer.h"
 #include "sim/stress/geometry.h"
@@ -17,13 +18,15 @@ struct LaidDown {
 };
 std::shared_ptr<const LaidDown> lay_down(const StressGeometry& geometry, hw::TreeKind kind);
 
-/// hw::intersect and hw::consider on every triangle.  `triangles` must outlive it.
-SubjectPointer brute_force(const std::vector<Corners>& triangles);
-SubjectPointer walker(std::string name, std::shared_ptr<const LaidDown> laid);
+/// The unit's triangle test on every triangle.  `triangles` must outlive it.
+SubjectPointer brute_force(const std::vector<Corners>& triangles, const hw::HitTests& tests = hw::HitTests());
+SubjectPointer walker(std::string name, std::shared_ptr<const LaidDown> laid,
+                      const hw::HitTests& tests = hw::HitTests());
 SubjectPointer golden_traversal(std::shared_ptr<const ref::Tracer> tracer);
-/// The farther the origins, the wider Embree's boxes: `near` answers rays from within `origins`, `far` all others.
+/// The farther the origins and the narrower the format, the wider Embree's boxes, up to testing every triangle: `near`
+/// answers rays from within `origins`, `far` all others.
 SubjectPointer golden_traversal(std::shared_ptr<const ref::Tracer> near, const ref::Extent& origins,
-                                std::shared_ptr<const ref::Tracer> far);
+                                std::shared_ptr<const ref::Tracer> far, bool far_is_slow = false);
 SubjectPointer golden_brute_force(std::shared_ptr<const ref::Tracer> tracer);
 
 const char* kind_name(hw::TreeKind kind);

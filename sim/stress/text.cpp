@@ -14,18 +14,18 @@ std::string of(const Count& count) {
   return count.tried == 0 ? "-" : fmt::format("{}/{}", count.happened, count.tried);
 }
 
-std::string header(const CaseResult& any) {
-  std::string text = fmt::format("{:<24}{:>9}{:>9}{:>8}", "case", "rays", "hits", "brute");
+std::string header(const char* first, const CaseResult& any) {
+  std::string text = fmt::format("{:<24}{:>10}{:>10}{:>9}", first, "rays", "hits", "brute");
   for (const Tally& tally : any.tallies) text += fmt::format("{:>7}", tally.name);
-  return text + fmt::format("{:>13}{:>15}{:>14}{:>13}  {:>6} {:>7} {:>9}\n", "leaks", "self out", "self in", "convex",
+  return text + fmt::format("{:>15}{:>17}{:>16}{:>13}  {:>6} {:>7} {:>9}\n", "leaks", "self out", "self in", "convex",
                             "t p50", "p99", "max ulp");
 }
 
 std::string row(const std::string& name, const CaseResult& r) {
   const std::uint64_t brute = r.tallies.empty() ? 0 : r.tallies[0].compared;
-  std::string text = fmt::format("{:<24}{:>9}{:>9}{:>8}", name, r.rays, r.hits, brute);
+  std::string text = fmt::format("{:<24}{:>10}{:>10}{:>9}", name, r.rays, r.hits, brute);
   for (const Tally& tally : r.tallies) text += fmt::format("{:>7}", tally.mismatches);
-  return text + fmt::format("{:>13}{:>15}{:>14}{:>13}  {}\n", of(r.leaks), of(r.self_out), of(r.self_in), of(r.convex),
+  return text + fmt::format("{:>15}{:>17}{:>16}{:>13}  {}\n", of(r.leaks), of(r.self_out), of(r.self_in), of(r.convex),
                             quantiles(r.accuracy.t_ulps));
 }
 
@@ -66,27 +66,61 @@ std::string format_failure(const Failure& f) {
   return text;
 }
 
-std::string format_table(const StressReport& report) {
+namespace {
+
+std::string accuracy_header(const char* first) {
+  return fmt::format("\n{:<14}{:>9}  {:^24}  {:^24}  {:^24}  {:>16} {:>10}\n", first, "hits", "t (ulp)", "u (2^-(M+1))",
+                     "v (2^-(M+1))", "wrong decisions", "explained");
+}
+
+std::string format_name(const hw::PrecisionConfig& precision) {
+  return precision.box == precision.triangle ? fmt::format("M {}", precision.box)
+                                             : fmt::format("M {}/{}", precision.box, precision.triangle);
+}
+
+std::string case_table(const StressReport& report) {
   std::string text;
-  if (!report.cases.empty()) text += header(report.cases[0]);
+  if (!report.cases.empty()) text += header("case", report.cases[0]);
   for (const CaseResult& one : report.cases) text += row(one.name.name(), one);
   for (const std::string& name : report.skipped)
     text += fmt::format("{:<24}skipped: its model is not installed\n", name);
   const std::vector<CaseResult> rows = by_placement(report);
   if (rows.size() > 1) {
-    text += "\nBy placement, all meshes\n" + header(rows[0]);
+    text += "\nBy placement, all meshes\n" + header("case", rows[0]);
     for (const CaseResult& one : rows) text += row(one.name.placement.name, one);
   }
-  text += fmt::format("\n{:<14}{:>9}  {:^24}  {:^24}  {:^24}  {:>16} {:>10}\n", "accuracy", "hits", "t (ulp)",
-                      "u (2^-24)", "v (2^-24)", "wrong decisions", "explained");
+  if (report.options.leaks_only) return text;
+  text += accuracy_header("accuracy");
   for (const CaseResult& one : rows) text += accuracy_row(one.name.placement.name, one.accuracy);
   for (const CaseResult& one : by_mesh(report)) text += accuracy_row(one.name.mesh, one.accuracy);
-  const StressTotals totals = totals_of(report);
+  return text;
+}
+
+/// Widths are box/triangle where they differ.
+std::string format_comparison(const StressReports& reports) {
+  std::string text;
+  std::vector<CaseResult> sums;
+  for (const StressReport& report : reports) sums.push_back(sum_of(report));
+  text += header("format", sums[0]);
+  for (std::size_t i = 0; i < sums.size(); ++i) text += row(format_name(reports[i].options.precision), sums[i]);
+  if (reports[0].options.leaks_only) return text;
+  text += accuracy_header("accuracy");
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    text += accuracy_row(format_name(reports[i].options.precision), sums[i].accuracy);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string format_table(const StressReports& reports) {
+  std::string text = reports.size() == 1 ? case_table(reports[0]) : format_comparison(reports);
+  const StressTotals totals = totals_of(reports);
   text += "\n";
   if (totals.first != nullptr) text += format_failure(*totals.first);
-  text += fmt::format("{} cases, {} rays and {} secondary rays, {} hits, seed {}: {} mismatches, {} leaks\n",
-                      report.cases.size(), totals.rays, totals.secondary, totals.hits, report.options.seed,
-                      totals.mismatches, totals.leaks);
+  text +=
+      fmt::format("{} cases, {} rays and {} secondary rays, {} hits, seed {}: {} mismatches, {} leaks\n", totals.cases,
+                  totals.rays, totals.secondary, totals.hits, reports[0].options.seed, totals.mismatches, totals.leaks);
   return text;
 }
 

@@ -55,15 +55,25 @@ std::vector<CaseResult> by_mesh(const StressReport& report) {
   return rows;
 }
 
-StressTotals totals_of(const StressReport& report) {
+CaseResult sum_of(const StressReport& report) {
+  CaseResult sum;
+  sum.name = {"all", {"all", 1, 0}};
+  for (const CaseResult& one : report.cases) add(sum, one);
+  return sum;
+}
+
+StressTotals totals_of(const StressReports& reports) {
   StressTotals totals;
-  for (const CaseResult& one : report.cases) {
-    totals.rays += one.rays;
-    totals.hits += one.hits;
-    totals.secondary += one.secondary;
-    totals.mismatches += one.mismatches();
-    totals.leaks += one.leaks.happened;
-    if (totals.first == nullptr && one.first) totals.first = &*one.first;
+  for (const StressReport& report : reports) {
+    for (const CaseResult& one : report.cases) {
+      ++totals.cases;
+      totals.rays += one.rays;
+      totals.hits += one.hits;
+      totals.secondary += one.secondary;
+      totals.mismatches += one.mismatches();
+      totals.leaks += one.leaks.happened;
+      if (totals.first == nullptr && one.first) totals.first = &*one.first;
+    }
   }
   return totals;
 }

@@ -37,12 +37,37 @@ TEST_F(StressTest, WritesJson) {
   const auto json = nlohmann::json::parse(read("out.json"));
   EXPECT_EQ(json.at("passed"), true);
   EXPECT_EQ(json.at("rays"), 500);
-  ASSERT_EQ(json.at("cases").size(), 1u);
-  EXPECT_EQ(json.at("cases")[0].at("subjects").at("kd").at("mismatches"), 0);
+  ASSERT_EQ(json.at("formats").size(), 1u);
+  const auto& format = json.at("formats")[0];
+  EXPECT_EQ(format.at("box_bits"), 23);
+  ASSERT_EQ(format.at("cases").size(), 1u);
+  EXPECT_EQ(format.at("cases")[0].at("subjects").at("kd").at("mismatches"), 0);
   EXPECT_TRUE(json.at("first").is_null());
   EXPECT_THAT(content(), ElementsAre("out.json"));
   EXPECT_THAT(refused({"stress", "--only", "one/as-is", "--json", "out.json"}), HasSubstr("exists already"));
   fine({"stress", "--rays", "10", "--only", "one/as-is", "--json", "out.json", "--force"});
+}
+
+TEST_F(StressTest, TakesWidths) {
+  fine({"stress", "--rays", "300", "--only", "box/as-is", "--bits", "7-9,23/12", "--json", "out.json", "--quiet"});
+  const auto json = nlohmann::json::parse(read("out.json"));
+  EXPECT_EQ(json.at("passed"), true);
+  ASSERT_EQ(json.at("formats").size(), 4u);
+  EXPECT_EQ(json.at("formats")[1].at("triangle_bits"), 8);
+  EXPECT_EQ(json.at("formats")[3].at("box_bits"), 23);
+  EXPECT_EQ(json.at("formats")[3].at("triangle_bits"), 12);
+  EXPECT_THAT(refused({"stress", "--bits", "6"}), HasSubstr("\"6\" is no width; M, M-N or BOX/TRIANGLE"));
+  for (const char* wrong : {"24", "9-7", "7,", "x", "7/", "-7", "7-9-11"}) {
+    EXPECT_THAT(refused({"stress", "--bits", wrong}), HasSubstr("is no width")) << wrong;
+  }
+}
+
+TEST_F(StressTest, SendsRaysThroughEdgesAndVerticesOfClosedMeshes) {
+  const std::string out =
+      fine({"stress", "--leaks", "--rays", "2000", "--only", "needles/as-is", "--bits", "7,23"}).out;
+  EXPECT_THAT(out, HasSubstr("0/2000"));
+  EXPECT_THAT(out, HasSubstr("2 cases, 4000 rays and 0 secondary rays, 4000 hits, seed 1: 0 mismatches, 0 leaks"));
+  EXPECT_THAT(refused({"stress", "--leaks", "--only", "soup"}), HasSubstr("of a closed mesh"));
 }
 
 TEST_F(StressTest, ListsItsCases) {

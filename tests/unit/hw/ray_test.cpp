@@ -33,18 +33,18 @@ TEST(Vector, MinimumAndMaximumGiveTheSecondOperandOnATieOrWithANaN) {
 
 TEST(Vector, DotSumsFromLeftToRight) {
   // (2^24 + 1) + 1 loses both ones; 2^24 + (1 + 1) would not.
-  EXPECT_EQ(dot({0x1p24f, 1, 1}, {1, 1, 1}), 0x1p24f);
-  EXPECT_EQ(dot({1, 1, 0x1p24f}, {1, 1, 1}), 0x1p24f + 2);
+  EXPECT_EQ(dot(Vector{0x1p24f, 1, 1}, Vector{1, 1, 1}), 0x1p24f);
+  EXPECT_EQ(dot(Vector{1, 1, 0x1p24f}, Vector{1, 1, 1}), 0x1p24f + 2);
 }
 
 TEST(Vector, UnitIsZeroOutsideItsRange) {
-  EXPECT_EQ(unit({3, 0, 4}).x, 3 * (1.0f / 5.0f));
-  EXPECT_EQ(unit({0, 0x1p-50f, 0}).y, 1.0f);  // squared 2^-100: just inside
-  EXPECT_TRUE(is_zero(unit({0, 0x1p-51f, 0})));
-  EXPECT_EQ(unit({0x1p50f, 0, 0}).x, 1.0f);
-  EXPECT_TRUE(is_zero(unit({0x1p51f, 0, 0})));
-  EXPECT_TRUE(is_zero(unit({nan, 0, 0})));
-  EXPECT_TRUE(is_zero(unit({})));
+  EXPECT_EQ(unit(Vector{3, 0, 4}).x, 3 * (1.0f / 5.0f));
+  EXPECT_EQ(unit(Vector{0, 0x1p-50f, 0}).y, 1.0f);  // squared 2^-100: just inside
+  EXPECT_TRUE(is_zero(unit(Vector{0, 0x1p-51f, 0})));
+  EXPECT_EQ(unit(Vector{0x1p50f, 0, 0}).x, 1.0f);
+  EXPECT_TRUE(is_zero(unit(Vector{0x1p51f, 0, 0})));
+  EXPECT_TRUE(is_zero(unit(Vector{nan, 0, 0})));
+  EXPECT_TRUE(is_zero(unit(Vector{})));
 }
 
 TEST(Ray, ZeroComponentsHaveALimitedInverseOfTheirSign) {
@@ -100,14 +100,16 @@ TEST(Ray, PrimaryRaysGoThroughPixelCentres) {
   EXPECT_TRUE(is_zero(primary_ray(camera, 0, 0).direction)) << "a dead ray";
 }
 
+Interval box_of(const Ray& ray, Vector lo, Vector hi) { return box_interval(ray, lo, hi, box_padding()); }
+
 TEST(Box, TheIntervalIsFromTheLastEntryToTheFirstExitPadded) {
   const Ray ray = ray_from({0, 0, 0}, {1, 0.5f, 0.25f});
-  const Interval box = box_interval(ray, {1, 1, 0}, {4, 3, 8});
+  const Interval box = box_of(ray, {1, 1, 0}, {4, 3, 8});
   EXPECT_EQ(box.enter, 2.0f);                     // y enters at 1 / 0.5
-  EXPECT_EQ(box.exit, 4.0f * (1.0f + 0x1p-21f));  // x leaves at 4
+  EXPECT_EQ(box.exit, 4.0f * (1.0f + 0x1p-20f));  // x leaves at 4
   const Ray back = ray_from({5, 2, 1}, {-1, 0, 0});
-  EXPECT_EQ(box_interval(back, {1, 1, 0}, {4, 3, 8}).enter, 1.0f);
-  EXPECT_EQ(box_interval(back, {1, 1, 0}, {4, 3, 8}).exit, 4.0f * (1.0f + 0x1p-21f));
+  EXPECT_EQ(box_of(back, {1, 1, 0}, {4, 3, 8}).enter, 1.0f);
+  EXPECT_EQ(box_of(back, {1, 1, 0}, {4, 3, 8}).exit, 4.0f * (1.0f + 0x1p-20f));
 }
 
 TEST(Box, IsMetOnlyWhereTheIntervalsOverlap) {
@@ -122,18 +124,18 @@ TEST(Box, IsMetOnlyWhereTheIntervalsOverlap) {
 TEST(Box, ARayInThePlaneOfAFaceIsInsideTheBox) {
   // (lo - o) is 0 and the inverse 2^100: 0 * 2^100 is 0, never a NaN.
   const Ray ray = ray_from({-2, 1, 0.5f}, {1, 0, 0});
-  const Interval touching = box_interval(ray, {0, 1, 0}, {1, 2, 1});
+  const Interval touching = box_of(ray, {0, 1, 0}, {1, 2, 1});
   EXPECT_EQ(touching.enter, 2.0f);
   EXPECT_TRUE(meets(touching, 100.0f));
-  EXPECT_FALSE(meets(box_interval(ray, {0, 1.001f, 0}, {1, 2, 1}), two_pow_100)) << "just beside it";
+  EXPECT_FALSE(meets(box_of(ray, {0, 1.001f, 0}, {1, 2, 1}), two_pow_100)) << "just beside it";
 }
 
 TEST(Box, AnOuterBoxHoldsAnInnerBoxsInterval) {
-  const Ray ray = ray_from({0.3f, -7.7f, 0.1f}, unit({0.1f, 0.9f, 0.3f}));
+  const Ray ray = ray_from({0.3f, -7.7f, 0.1f}, unit(Vector{0.1f, 0.9f, 0.3f}));
   for (int i = 1; i < 200; ++i) {
     const float s = static_cast<float>(i) * 0.013f;
-    const Interval inner = box_interval(ray, {-s, -s, -s}, {s, s, s});
-    const Interval outer = box_interval(ray, {-s, -s * 1.0000002f, -s}, {s * 1.0000002f, s, s});
+    const Interval inner = box_of(ray, {-s, -s, -s}, {s, s, s});
+    const Interval outer = box_of(ray, {-s, -s * 1.0000002f, -s}, {s * 1.0000002f, s, s});
     ASSERT_LE(outer.enter, inner.enter);
     ASSERT_GE(outer.exit, inner.exit);
   }

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "ref/ray.h"
-#include "ref/triangle.h"
+#include "ref/hit_tests.h"
 #include "traces/frame.h"
 
 namespace artu::ref::testing {
@@ -80,11 +79,11 @@ struct Random {
 };
 
 /// Every triangle in turn, with no tree.
-inline Hit brute_force(const std::vector<Triangle>& triangles, const Ray& ray) {
+inline Hit brute_force(const std::vector<Triangle>& triangles, const Ray& ray, const HitTests& tests = HitTests()) {
   Hit best;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     TriangleHit hit;
-    if (intersect(ray, triangles[i], hit)) improve(best, static_cast<std::int64_t>(i), hit);
+    if (tests.intersect(ray, triangles[i], hit)) improve(best, static_cast<std::int64_t>(i), hit);
   }
   return best;
 }

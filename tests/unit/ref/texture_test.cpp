@@ -59,14 +59,14 @@ TEST(Sample, BlendsInLinearLight) {
   texture.height = 2;
   texture.wrap_u = texture.wrap_v = Wrap::clamp;
   texture.rgba = {0, 0, 0, 9, 255, 0, 0, 9, 0, 255, 0, 9, 255, 255, 128, 9};
-  const Vec3 middle = sample(texture, {0.5f, 0.5f});
+  const Triple<float> middle = sample<float>(texture, {0.5f, 0.5f});
   EXPECT_EQ(middle.x, 0.5f);  // 188 in sRGB, not 128
   EXPECT_EQ(middle.y, 0.5f);
   EXPECT_EQ(middle.z, srgb().decode(128) * 0.25f);
-  EXPECT_EQ(sample(texture, {1, 0}).x, 1.0f);  // row 0 first
-  EXPECT_EQ(sample(texture, {1, 0}).y, 0.0f);
-  EXPECT_EQ(sample(texture, {0, 1}).y, 1.0f);
-  EXPECT_EQ(sample(texture, {0.375f, 0}).x, 0.25f);
+  EXPECT_EQ(sample<float>(texture, {1, 0}).x, 1.0f);  // row 0 first
+  EXPECT_EQ(sample<float>(texture, {1, 0}).y, 0.0f);
+  EXPECT_EQ(sample<float>(texture, {0, 1}).y, 1.0f);
+  EXPECT_EQ(sample<float>(texture, {0.375f, 0}).x, 0.25f);
 }
 
 TEST(Sample, WrapsEachAxisByItsOwnMode) {
@@ -76,9 +76,9 @@ TEST(Sample, WrapsEachAxisByItsOwnMode) {
   texture.wrap_u = Wrap::repeat;
   texture.wrap_v = Wrap::clamp;
   texture.rgba = {0, 0, 0, 0, 255, 255, 255, 0};
-  EXPECT_EQ(sample(texture, {0, 5}).x, 0.5f);
+  EXPECT_EQ(sample<float>(texture, {0, 5}).x, 0.5f);
   texture.wrap_u = Wrap::mirror;
-  EXPECT_EQ(sample(texture, {0, 5}).x, 0.0f);
+  EXPECT_EQ(sample<float>(texture, {0, 5}).x, 0.0f);
 }
 
 }  // namespace

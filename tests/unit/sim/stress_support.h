@@ -12,10 +12,10 @@ namespace artu::sim::testing {
 
 /// Which parts of the contract a walker keeps; as constructed all of them.
 struct Rules {
-  bool clamp = true;                      // section 3, step 5
-  bool exact_products = true;             // step 2
-  float padding = hw::box_padding;        // of the tree's boxes and planes
-  float clamp_padding = hw::box_padding;  // of the triangle's own box
+  bool clamp = true;                        // section 3, step 5
+  bool exact_products = true;               // step 2
+  float padding = hw::box_padding();        // of the tree's boxes and planes
+  float clamp_padding = hw::box_padding();  // of the triangle's own box
 };
 
 inline hw::Interval interval(const hw::Ray& ray, hw::Vector lo, hw::Vector hi, float padding) {

@@ -12,11 +12,16 @@ namespace {
 
 constexpr int ray_count = 20000;
 
+const hw::HitTests& tests() {
+  static const hw::HitTests binary32;
+  return binary32;
+}
+
 hw::Found brute_force(const traces::Mesh& mesh, std::uint32_t first_id, bool dynamic, const hw::Ray& ray,
                       hw::Found found = {}) {
   for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
     hw::TriangleHit hit;
-    if (intersect(ray, vertex(mesh, i, 0), vertex(mesh, i, 1), vertex(mesh, i, 2), hit)) {
+    if (tests().triangle(ray, vertex(mesh, i, 0), vertex(mesh, i, 1), vertex(mesh, i, 2), hit)) {
       consider(hit, first_id + i, i, dynamic, found);
     }
   }
@@ -69,8 +74,8 @@ void expect_walks_agree(const traces::Mesh& mesh, std::uint32_t seed) {
     hits += want.hit ? 1 : 0;
     for (std::size_t kind = 0; kind < memories.size(); ++kind) {
       const Memory& memory = *memories[kind];
-      const hw::Found got = walk(memory.frame, memory.image, ray, false);
-      const hw::Found any = walk(memory.frame, memory.image, ray, true);
+      const hw::Found got = walk(tests(), memory.frame, memory.image, ray, false);
+      const hw::Found any = walk(tests(), memory.frame, memory.image, ray, true);
       if (same(want, got) && any.hit == want.hit) continue;
       ++wrong;
       ADD_FAILURE() << name(kinds[kind]) << (same(want, got) ? " any: " : ": ")
@@ -132,9 +137,9 @@ TEST(TreeWalkOdd, StaticAndDynamicTreesOfAnyKinds) {
       for (int i = 0; i < 2000; ++i) {
         const hw::Ray ray = rays.next();
         const hw::Found want = brute_force(moving, still_count, true, ray, brute_force(still, 0, false, ray));
-        const hw::Found got = walk(memory.frame, memory.image, ray, false);
+        const hw::Found got = walk(tests(), memory.frame, memory.image, ray, false);
         ASSERT_TRUE(same(want, got)) << name(a) << " " << name(b) << ": " << text(ray, want, got);
-        ASSERT_EQ(walk(memory.frame, memory.image, ray, true).hit, want.hit);
+        ASSERT_EQ(walk(tests(), memory.frame, memory.image, ray, true).hit, want.hit);
       }
     }
   }
