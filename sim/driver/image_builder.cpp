@@ -12,31 +12,6 @@ namespace {
 
 hw::Vector vector(traces::Vec3 v) { return {v.x, v.y, v.z}; }
 
-hw::TriangleRecord triangle_record(const traces::Mesh& mesh, std::size_t triangle, std::uint32_t id,
-                                   std::uint32_t attributes) {
-  const std::uint32_t* index = &mesh.indices[3 * triangle];
-  hw::TriangleRecord record{};
-  record.a = vector(mesh.positions[index[0]]);
-  record.b = vector(mesh.positions[index[1]]);
-  record.c = vector(mesh.positions[index[2]]);
-  record.primitive = id;
-  record.material = mesh.materials[triangle];
-  record.attributes = attributes;
-  for (int i = 0; i < 3; ++i) record.color[i] = mesh.colors[index[i]];
-  return record;
-}
-
-hw::AttributeRecord attribute_record(const traces::Mesh& mesh, std::size_t triangle) {
-  hw::AttributeRecord record{};
-  for (int i = 0; i < 3; ++i) {
-    const std::uint32_t index = mesh.indices[3 * triangle + static_cast<std::size_t>(i)];
-    record.normal[i] = vector(mesh.normals[index]);
-    record.uv[i][0] = mesh.uvs[index].x;
-    record.uv[i][1] = mesh.uvs[index].y;
-  }
-  return record;
-}
-
 hw::LightRecord light_record(const traces::Light& light) {
   hw::LightRecord record{};
   record.position = vector(light.position);
@@ -60,7 +35,7 @@ ImageBuilder::ImageBuilder(const traces::Scene& scene, const hw::AccelConfig& ac
   textures.reserve(scene.textures.size());
   for (const traces::Texture& texture : scene.textures) textures.push_back(add_texture(texture));
   materials_ = add_materials(textures);
-  static_ = add_geometry(scene.static_geometry, accel.static_kind, false, 0, scene.name + ": static geometry");
+  static_ = lay_geometry(scene.static_geometry, accel.static_kind, false, 0, scene.name + ": static geometry", image_);
   shared_top_ = image_.size();
 }
 
@@ -102,36 +77,6 @@ hw::Address ImageBuilder::add_materials(const std::vector<hw::Address>& textures
   return base;
 }
 
-ImageBuilder::Geometry ImageBuilder::add_geometry(const traces::Mesh& mesh, hw::TreeKind kind, bool dynamic,
-                                                  std::uint32_t first_id, const std::string& where) {
-  Geometry geometry;
-  geometry.tree = build_tree(mesh, kind, dynamic, where);
-  Tree& tree = geometry.tree;
-  geometry.nodes = image_.allocate(tree.nodes.size());
-  if (!tree.nodes.empty()) std::memcpy(&image_.at<std::uint8_t>(geometry.nodes), tree.nodes.data(), tree.nodes.size());
-  geometry.triangles = image_.allocate(tree.order.size() * sizeof(hw::TriangleRecord));
-  geometry.attributes = image_.allocate(mesh.triangle_count() * sizeof(hw::AttributeRecord));
-  // Attributes lie in the order in which the leaves first name their triangles: a BVH's have the same index as these.
-  constexpr std::uint32_t unplaced = ~std::uint32_t{0};
-  std::vector<std::uint32_t> place(mesh.triangle_count(), unplaced);
-  std::uint32_t placed = 0;
-  for (std::size_t i = 0; i < tree.order.size(); ++i) {
-    const std::uint32_t triangle = tree.order[i];
-    if (place[triangle] == unplaced) {
-      place[triangle] = placed++;
-      image_.at<hw::AttributeRecord>(geometry.attributes + place[triangle] * sizeof(hw::AttributeRecord)) =
-          attribute_record(mesh, triangle);
-    }
-    image_.at<hw::TriangleRecord>(geometry.triangles + i * sizeof(hw::TriangleRecord)) =
-        triangle_record(mesh, triangle, first_id + triangle, place[triangle]);
-  }
-  geometry.node_lines = static_cast<std::uint32_t>((tree.nodes.size() + 63) / 64);
-  geometry.references = static_cast<std::uint32_t>(tree.order.size());
-  tree.nodes = {};
-  tree.order = {};
-  return geometry;
-}
-
 hw::Address ImageBuilder::add(const traces::Frame& frame) {
   const std::string where = scene_.name + ": frame " + std::to_string(frame.index);
   if (frame.lights.size() > hw::maximum_lights) {
@@ -148,28 +93,15 @@ hw::Address ImageBuilder::add(const traces::Frame& frame) {
   // The builder's input: triangles in the mesh's order, a line each; its scratch: 16 bytes a triangle.
   const hw::Address input = image_.allocate(count * 64);
   const hw::Address scratch = image_.allocate(count * 16);
-  const Geometry dynamic = add_geometry(frame.dynamic, accel_.dynamic_kind, true,
-                                        static_cast<std::uint32_t>(scene_.static_geometry.triangle_count()), where);
+  const auto static_count = static_cast<std::uint32_t>(scene_.static_geometry.triangle_count());
+  const LaidGeometry dynamic = lay_geometry(frame.dynamic, accel_.dynamic_kind, true, static_count, where, image_);
   // The root of one tree waits on the stack while the other is walked.
-  stack_needed_ = std::max(static_.tree.stack, dynamic.tree.stack) + 1;
+  stack_needed_ = std::max(static_.stack, dynamic.stack) + 1;
 
   hw::FrameDescriptor d{};
   d.width = scene_.width;
   d.height = scene_.height;
-  d.static_kind = static_.tree.kind;
-  d.dynamic_kind = dynamic.tree.kind;
-  d.static_root = static_.tree.root;
-  d.dynamic_root = dynamic.tree.root;
-  d.static_lo = static_.tree.lo;
-  d.static_hi = static_.tree.hi;
-  d.dynamic_lo = dynamic.tree.lo;
-  d.dynamic_hi = dynamic.tree.hi;
-  d.static_nodes = static_.nodes;
-  d.dynamic_nodes = dynamic.nodes;
-  d.static_triangles = static_.triangles;
-  d.dynamic_triangles = dynamic.triangles;
-  d.static_attributes = static_.attributes;
-  d.dynamic_attributes = dynamic.attributes;
+  describe(static_, dynamic, d);
   d.materials = materials_;
   d.lights = lights;
   d.frame_buffer = frame_buffer_;

@@ -1,8 +1,6 @@
 #include "sim/stress/subjects.h"
 
-#include <cstring>
-
-#include "sim/driver/tree.h"
+#include "sim/driver/geometry_image.h"
 
 namespace artu::sim {
 namespace {
@@ -102,52 +100,13 @@ class GoldenBruteForce : public Subject {
   std::shared_ptr<const ref::Tracer> tracer_;
 };
 
-struct LaidClass {
-  hw::Address nodes, triangles;
-  Tree tree;
-};
-
-LaidClass lay_class(const traces::Mesh& mesh, hw::TreeKind kind, bool dynamic, std::uint32_t first_id,
-                    hw::MemoryImage& image) {
-  LaidClass laid{};
-  laid.tree = build_tree(mesh, kind, dynamic, "stress");
-  const Tree& tree = laid.tree;
-  laid.nodes = image.allocate(tree.nodes.size());
-  if (!tree.nodes.empty()) std::memcpy(&image.at<std::uint8_t>(laid.nodes), tree.nodes.data(), tree.nodes.size());
-  laid.triangles = image.allocate(tree.order.size() * sizeof(hw::TriangleRecord));
-  for (std::size_t i = 0; i < tree.order.size(); ++i) {
-    auto& record = image.at<hw::TriangleRecord>(laid.triangles + i * sizeof(hw::TriangleRecord));
-    const auto corner = [&](std::size_t j) -> hw::Vector {
-      const traces::Vec3& p = mesh.positions[mesh.indices[3 * std::size_t{tree.order[i]} + j]];
-      return {p.x, p.y, p.z};
-    };
-    record.a = corner(0);
-    record.b = corner(1);
-    record.c = corner(2);
-    record.primitive = first_id + tree.order[i];
-  }
-  return laid;
-}
-
 }  // namespace
 
 std::shared_ptr<const LaidDown> lay_down(const StressGeometry& geometry, hw::TreeKind kind) {
   auto laid = std::make_shared<LaidDown>();
   const auto static_count = static_cast<std::uint32_t>(geometry.fixed.triangle_count());
-  const LaidClass fixed = lay_class(geometry.fixed, kind, false, 0, laid->image);
-  const LaidClass dynamic = lay_class(geometry.dynamic, kind, true, static_count, laid->image);
-  hw::FrameDescriptor& frame = laid->frame;
-  frame.static_kind = frame.dynamic_kind = kind;
-  frame.static_root = fixed.tree.root;
-  frame.dynamic_root = dynamic.tree.root;
-  frame.static_lo = fixed.tree.lo;
-  frame.static_hi = fixed.tree.hi;
-  frame.dynamic_lo = dynamic.tree.lo;
-  frame.dynamic_hi = dynamic.tree.hi;
-  frame.static_nodes = fixed.nodes;
-  frame.dynamic_nodes = dynamic.nodes;
-  frame.static_triangles = fixed.triangles;
-  frame.dynamic_triangles = dynamic.triangles;
+  const LaidGeometry fixed = lay_geometry(geometry.fixed, kind, false, 0, "stress", laid->image);
+  describe(fixed, lay_geometry(geometry.dynamic, kind, true, static_count, "stress", laid->image), laid->frame);
   return laid;
 }
 
