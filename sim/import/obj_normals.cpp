@@ -29,14 +29,20 @@ std::vector<glm::vec3> crease_normals(const std::vector<glm::vec3>& positions,
   std::vector<std::size_t> around(indices.size()), next(start.begin(), start.end() - 1);
   for (std::size_t k = 0; k < indices.size(); ++k) around[next[indices[k]]++] = k / 3;
 
+  // A large fan's average is the same for all of its corners, and summed once.
+  std::vector<glm::dvec3> average(positions.size());
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    if (start[indices[k] + 1] - start[indices[k]] > max_fan) average[indices[k]] += area[k / 3];
+  }
   std::vector<glm::vec3> out(indices.size());
   for (std::size_t k = 0; k < indices.size(); ++k) {
     const std::uint32_t v = indices[k];
     const glm::dvec3& own = unit[k / 3];
-    const bool all = start[v + 1] - start[v] > max_fan;
-    glm::dvec3 sum(0.0);
-    for (std::size_t i = start[v]; i < start[v + 1]; ++i) {
-      if (all || glm::dot(own, unit[around[i]]) >= cos_crease) sum += area[around[i]];
+    glm::dvec3 sum = average[v];
+    if (start[v + 1] - start[v] <= max_fan) {
+      for (std::size_t i = start[v]; i < start[v + 1]; ++i) {
+        if (glm::dot(own, unit[around[i]]) >= cos_crease) sum += area[around[i]];
+      }
     }
     const double length = glm::length(sum);
     out[k] = length > 0 ? glm::vec3(sum / length) : glm::vec3(0.0f);

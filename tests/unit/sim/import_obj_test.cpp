@@ -110,5 +110,15 @@ TEST(CreaseNormals, SmoothOverSmallBendsAndBreakAtSharpOnes) {
   EXPECT_EQ(sharp[3], glm::vec3(1, 0, 0));
 }
 
+TEST(CreaseNormals, OfAHugeFanAreItsAverageAndLinearInItsSize) {
+  // A million faces at the same three vertices: quadratic work would take hours.
+  const std::vector<glm::vec3> p = {{0, 0, 0}, {0, 0, -1}, {-1, 0, 0}};
+  std::vector<std::uint32_t> indices;
+  for (int i = 0; i < 1000000; ++i) indices.insert(indices.end(), {0, 1, 2});
+  const auto n = crease_normals(p, indices);
+  EXPECT_EQ(n.front(), glm::vec3(0, 1, 0));
+  EXPECT_EQ(n.back(), glm::vec3(0, 1, 0));
+}
+
 }  // namespace
 }  // namespace artu::sim::test
