@@ -79,7 +79,9 @@ void expect_alike(const Subject& subject, const Subject& truth, const hw::Ray& r
 
 /// With a few rays for each soup, since its trees cost more than they do.
 template <typename Check>
-void with_rays(const std::vector<NastyTriangle>& soup, int count, const Check& check) {
+void with_rays(const std::vector<NastyTriangle>& soup, int count, const hw::PrecisionConfig& precision,
+               const Check& check) {
+  const hw::HitTests tests(precision);
   const auto rays = *rc::gen::container<std::vector<std::pair<NastyVector, NastyVector>>>(
       8, rc::gen::pair(nasty_vector(count), nasty_vector(count)));
   const auto limit = *rc::gen::element(hw::two_pow_100, 1.0f);
@@ -89,21 +91,29 @@ void with_rays(const std::vector<NastyTriangle>& soup, int count, const Check& c
     ray.direction = vector(direction[0], direction[1], direction[2]);
     ray.tmax = limit;
     if (hw::is_zero(ray.direction)) continue;
-    hw::set_up(ray);
+    tests.set_up(ray);
     check(ray);
   }
 }
 
-void walks_equal_brute_force(int count) {
+/// Binary32, or any width for either test; shrinks towards 7.
+hw::PrecisionConfig any_width() {
+  const auto width = rc::gen::inRange<std::uint32_t>(7, 24);
+  const std::uint32_t box = *width, triangle = *width;
+  return {box, triangle, 23};
+}
+
+void walks_equal_brute_force(int count, const hw::PrecisionConfig& precision = {}) {
+  const hw::HitTests tests(precision);
   const auto soup = *nasty_soup(count);
   const StressGeometry geometry = geometry_of(soup);
   const std::vector<Corners> triangles = corners_of(geometry);
-  const SubjectPointer truth = brute_force(triangles);
+  const SubjectPointer truth = brute_force(triangles, tests);
   std::vector<SubjectPointer> walkers;
   for (const hw::TreeKind kind : {hw::TreeKind::bvh2, hw::TreeKind::kd, hw::TreeKind::bvh4, hw::TreeKind::bvh8}) {
-    walkers.push_back(walker(kind_name(kind), lay_down(geometry, kind)));
+    walkers.push_back(walker(kind_name(kind), lay_down(geometry, kind), tests));
   }
-  with_rays(soup, count, [&](const hw::Ray& ray) {
+  with_rays(soup, count, precision, [&](const hw::Ray& ray) {
     for (const SubjectPointer& subject : walkers) expect_alike(*subject, *truth, ray);
   });
 }
@@ -116,23 +126,35 @@ TEST(StressProperty, WalksEqualBruteForceOnModerateCoordinates) {
   EXPECT_TRUE(rc::check([] { walks_equal_brute_force(Nasty::moderate); }));
 }
 
+TEST(StressProperty, WalksEqualBruteForceInEveryFormat) {
+  EXPECT_TRUE(rc::check([] { walks_equal_brute_force(Nasty::count, any_width()); }));
+  EXPECT_TRUE(rc::check([] { walks_equal_brute_force(Nasty::moderate, any_width()); }));
+}
+
+void golden_model_equals_brute_force(const hw::PrecisionConfig& precision) {
+  const auto soup = *nasty_soup(Nasty::count);
+  const StressGeometry geometry = geometry_of(soup);
+  const std::vector<Corners> triangles = corners_of(geometry);
+  const SubjectPointer truth = brute_force(triangles, hw::HitTests(precision));
+  ref::Extent origins;
+  const double far = 0x1p62;
+  origins.add({-far, -far, -far});
+  origins.add({far, far, far});
+  const ref::Precision golden{static_cast<int>(precision.box), static_cast<int>(precision.triangle), 23};
+  const auto tracer = std::make_shared<const ref::Tracer>(geometry.fixed, geometry.dynamic, origins, golden);
+  const SubjectPointer all = golden_brute_force(tracer), embree = golden_traversal(tracer);
+  with_rays(soup, Nasty::count, precision, [&](const hw::Ray& ray) {
+    expect_alike(*all, *truth, ray);
+    if (embree_can_take(ray)) expect_alike(*embree, *truth, ray);
+  });
+}
+
 TEST(StressProperty, TheGoldenModelEqualsBruteForce) {
-  EXPECT_TRUE(rc::check([] {
-    const auto soup = *nasty_soup(Nasty::count);
-    const StressGeometry geometry = geometry_of(soup);
-    const std::vector<Corners> triangles = corners_of(geometry);
-    const SubjectPointer truth = brute_force(triangles);
-    ref::Extent origins;
-    const double far = 0x1p62;
-    origins.add({-far, -far, -far});
-    origins.add({far, far, far});
-    const auto tracer = std::make_shared<const ref::Tracer>(geometry.fixed, geometry.dynamic, origins);
-    const SubjectPointer all = golden_brute_force(tracer), embree = golden_traversal(tracer);
-    with_rays(soup, Nasty::count, [&](const hw::Ray& ray) {
-      expect_alike(*all, *truth, ray);
-      if (embree_can_take(ray)) expect_alike(*embree, *truth, ray);
-    });
-  }));
+  EXPECT_TRUE(rc::check([] { golden_model_equals_brute_force({}); }));
+}
+
+TEST(StressProperty, TheGoldenModelEqualsBruteForceInEveryFormat) {
+  EXPECT_TRUE(rc::check([] { golden_model_equals_brute_force(any_width()); }));
 }
 
 }  // namespace
