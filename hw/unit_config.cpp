@@ -81,25 +81,11 @@ void TreeBuilderConfig::visit(ParameterVisitor& v) {
   v.integer("outstanding", outstanding, {1, 256}, "", "memory requests in flight");
 }
 
-void DramConfig::visit(ParameterVisitor& v) {
-  v.integer("channels", channels, {1, 16, true}, "", "channels, interleaved by line");
-  v.integer("clock_mhz", clock_mhz, {100, 10000}, "MHz", "clock; data moves on both edges");
-  v.integer("bus_bits", bus_bits, {8, 128, true}, "bits", "data width of a channel");
-  v.integer("burst_length", burst_length, {2, 64, true}, "", "transfers of a burst");
-  v.integer("banks", banks, {1, 64, true}, "", "banks of a channel");
-  v.integer("row_bytes", row_bytes, {256, 65536, true}, "bytes", "row buffer of a bank");
-  v.integer("queue_depth", queue_depth, {1, 256}, "", "requests that wait at a channel");
-  v.integer("t_rcd", t_rcd, {1, 1000}, "DRAM clocks", "activate to column command");
-  v.integer("t_rp", t_rp, {1, 1000}, "DRAM clocks", "precharge to activate");
-  v.integer("t_cl", t_cl, {1, 1000}, "DRAM clocks", "column command to first data");
-  v.integer("t_ras", t_ras, {1, 1000}, "DRAM clocks", "activate to precharge");
-}
-
 void MemoryConfig::visit(ParameterVisitor& v) {
   v.integer("line", line, {64, 64, true}, "bytes", "cache line");
   v.integer("interconnect_latency", interconnect_latency, {1, 1000}, "cycles", "between a core and the L2, each way");
   visit_cache(v, "l2", "second-level cache, shared", l2);
-  v.enter("dram", "LPDDR4 channels");
+  v.enter("dram", "DRAM channels and their controllers");
   dram.visit(v);
   v.leave();
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "hw/dram_config.h"
 #include "hw/fabric/parameter.h"
 
 namespace artu::hw {
@@ -67,13 +68,6 @@ struct AccelConfig {
 struct ShadingConfig {
   std::uint32_t max_depth = 3;
   float min_weight = 0.00390625f;
-  void visit(ParameterVisitor& v);
-};
-
-struct DramConfig {
-  std::uint32_t channels = 2, clock_mhz = 1600, bus_bits = 16, burst_length = 16;
-  std::uint32_t banks = 8, row_bytes = 2048, queue_depth = 16;
-  std::uint32_t t_rcd = 29, t_rp = 34, t_cl = 28, t_ras = 68;  // DRAM clocks
   void visit(ParameterVisitor& v);
 };
 

@@ -4,120 +4,101 @@
 
 namespace artu::hw {
 
-namespace {
-unsigned log2_of(std::uint64_t power) { return static_cast<unsigned>(__builtin_ctzll(power)); }
-}  // namespace
-
 Dram::Dram(sc_core::sc_module_name name, ClockDomain& domain, const DramConfig& config)
     : Block(name, domain),
       config_(config),
-      // Whole bursts; two transfers a clock.
-      burst_((line_bytes * 8 + config.bus_bits * config.burst_length - 1) / (config.bus_bits * config.burst_length) *
-             (config.burst_length / 2)),
-      channel_shift_(log2_of(config.channels)),
-      bank_shift_(log2_of(config.banks)),
-      row_shift_(log2_of(config.row_bytes / line_bytes)),
-      channels_(config.channels) {
-  for (Channel_& channel : channels_) channel.banks.resize(config.banks);
-}
+      channels_(config.channels, DramChannel(config)),
+      step_at_(config.channels, never) {}
 
 void Dram::reset() {
-  for (Channel_& channel : channels_) {
-    std::fill(channel.banks.begin(), channel.banks.end(), Bank{});
-    channel.bus_free = 0;
-    channel.queue.clear();
-    channel.head = 0;
-  }
+  for (DramChannel& channel : channels_) channel.reset();
+  std::fill(step_at_.begin(), step_at_.end(), never);
   arbiter_.reset();
   answers_ = 0;
-  read_bytes_ = write_bytes_ = row_hits_ = row_misses_ = row_empty_ = bus_clocks_ = 0;
+  read_bytes_ = write_bytes_ = 0;
 }
 
-void Dram::accept(Channel_& channel, std::uint64_t line_index, const MemoryRequest& request, Cycle now) {
-  // Line index within the channel: column, then bank, then row, so that a stream stays in open rows.
-  // All three are powers of two.
-  const std::uint64_t row_index = line_index >> row_shift_;
-  const std::uint64_t bank_index = row_index & (config_.banks - 1);
-  const std::uint64_t row = row_index >> bank_shift_;
-  Bank& bank = channel.banks[bank_index];
-  Cycle column = std::max<Cycle>(now, bank.column_at);
-  if (bank.open && bank.row == row) {
-    ++row_hits_;
-  } else {
-    Cycle activate = std::max(now, bank.column_at);
-    if (bank.open) {
-      ++row_misses_;
-      activate = std::max(activate, bank.precharge_at) + config_.t_rp;
-    } else {
-      ++row_empty_;
-    }
-    bank.open = true;
-    bank.row = row;
-    bank.precharge_at = activate + config_.t_ras;
-    column = activate + config_.t_rcd;
+/// One answer a clock.
+bool Dram::answer(Cycle now, bool& blocked) {
+  const std::size_t chosen =
+      arbiter_.pick(channels_.size(), [&](std::size_t i) { return channels_[i].has_answer(now); });
+  if (chosen == channels_.size()) return false;
+  if (!link_->response.can_push()) {
+    blocked = true;
+    return false;
   }
-  const Cycle data = std::max(column + config_.t_cl, channel.bus_free);
-  channel.bus_free = data + burst_;
-  bus_clocks_ += burst_;
-  bank.column_at = data - config_.t_cl + burst_;
-  channel.queue.push_back({data + burst_, {request.tag, request.source}});
+  DramChannel& channel = channels_[chosen];
+  if (answers_++ != lost_) link_->response.push(channel.front());
+  channel.pop();
+  arbiter_.granted(chosen, channels_.size());
+  return true;
+}
+
+bool Dram::can_accept() const {
+  if (!link_->request.can_pop()) return false;
+  const MemoryRequest& request = link_->request.front();
+  return channels_[place_of_line(config_, request.line / line_bytes).channel].can_accept(request.write());
+}
+
+bool Dram::accept(Cycle now) {
+  if (!can_accept()) return false;
+  const MemoryRequest& request = link_->request.front();
+  const DramPlace place = place_of_line(config_, request.line / line_bytes);
+  channels_[place.channel].accept(request, place, now);
+  step_at_[place.channel] = now;
   (request.write() ? write_bytes_ : read_bytes_) += line_bytes;
+  link_->request.pop();
+  return true;
 }
 
 Activity Dram::tick(Cycle now) {
-  bool moved = false, blocked = false;
-  // One answer a clock; each channel's answers are in order.
-  const auto ready = [&](std::size_t i) {
-    return channels_[i].waiting() != 0 && channels_[i].queue[channels_[i].head].done <= now;
-  };
-  const std::size_t chosen = arbiter_.pick(channels_.size(), ready);
-  if (chosen != channels_.size()) {
-    if (link_->response.can_push()) {
-      Channel_& channel = channels_[chosen];
-      if (answers_++ != lost_) link_->response.push(channel.queue[channel.head].response);
-      if (++channel.head == channel.queue.size()) {
-        channel.queue.clear();
-        channel.head = 0;
-      }
-      arbiter_.granted(chosen, channels_.size());
-      moved = true;
-    } else {
-      blocked = true;
-    }
-  }
-  if (link_->request.can_pop()) {
-    const MemoryRequest& request = link_->request.front();
-    const std::uint64_t line_index = request.line / line_bytes;
-    Channel_& channel = channels_[line_index & (config_.channels - 1)];
-    if (channel.waiting() < config_.queue_depth) {
-      accept(channel, line_index >> channel_shift_, request, now);
-      link_->request.pop();
-      moved = true;
-    }
-  }
-  if (moved && link_->request.can_pop()) return {State::busy, now + 1};
-  if (blocked && !moved) return {State::stall_out};
+  bool blocked = false;
+  bool moved = answer(now, blocked);
+  moved = accept(now) || moved;
   Cycle next = never;
-  for (const Channel_& channel : channels_) {
-    if (channel.waiting() != 0) next = std::min(next, channel.queue[channel.head].done);
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    if (step_at_[i] <= now) step_at_[i] = channels_[i].step(now);
+    next = std::min(next, step_at_[i]);
+    // An answer that is blocked waits for room, not for a clock.
+    if (!blocked || !channels_[i].has_answer(now)) next = std::min(next, channels_[i].next_answer());
   }
-  if (next != never) return {State::busy, std::max(next, now + 1)};
+  if (can_accept()) next = now + 1;
+  if (next != never) return {blocked && !moved ? State::stall_out : State::busy, std::max(next, now + 1)};
+  if (blocked) return {State::stall_out};
   return moved ? Activity::once(State::busy, State::stall_in) : Activity(State::stall_in);
 }
 
 void Dram::report(Statistics& out) const {
   const std::string block = path();
-  out.push_back({block, "read_bytes", read_bytes_, "bytes", "read from DRAM"});
+  DramChannel::Counts sum;
+  for (const DramChannel& channel : channels_) {
+    const DramChannel::Counts& c = channel.counts();
+    sum.row_hits += c.row_hits;
+    sum.row_misses += c.row_misses;
+    sum.row_empty += c.row_empty;
+    sum.bus_clocks += c.bus_clocks;
+    sum.refreshes += c.refreshes;
+    sum.turns += c.turns;
+    sum.forwarded += c.forwarded;
+    sum.activates += c.activates;
+    sum.precharges += c.precharges;
+  }
+  out.push_back({block, "read_bytes", read_bytes_, "bytes", "read from DRAM, or from a waiting write"});
   out.push_back({block, "write_bytes", write_bytes_, "bytes", "written to DRAM"});
-  out.push_back({block, "row_hits", row_hits_, "", "requests to an open row"});
-  out.push_back({block, "row_misses", row_misses_, "", "requests to a bank with another row open"});
-  out.push_back({block, "row_empty", row_empty_, "", "requests to a bank without an open row"});
-  out.push_back({block, "bus_clocks", bus_clocks_, "DRAM clocks", "data buses occupied, all channels"});
+  out.push_back({block, "row_hits", sum.row_hits, "", "accesses to an open row"});
+  out.push_back({block, "row_misses", sum.row_misses, "", "accesses to a bank with another row open"});
+  out.push_back({block, "row_empty", sum.row_empty, "", "accesses to a bank without an open row"});
+  out.push_back({block, "forwarded", sum.forwarded, "", "reads answered by a waiting write of the line"});
+  out.push_back({block, "bus_clocks", sum.bus_clocks, "DRAM clocks", "data buses occupied, all channels"});
+  out.push_back({block, "activates", sum.activates, "", "rows opened"});
+  out.push_back({block, "precharges", sum.precharges, "", "rows closed, by refreshes too"});
+  out.push_back({block, "refreshes", sum.refreshes, "", "refresh commands that a later access met"});
+  out.push_back({block, "turns", sum.turns, "", "changes between reading and writing"});
 }
 
 std::string Dram::describe() const {
   std::string text;
-  for (const Channel_& channel : channels_) {
+  for (const DramChannel& channel : channels_) {
     text += (text.empty() ? "" : ", ") + std::to_string(channel.waiting()) + " requests in flight";
   }
   return text;

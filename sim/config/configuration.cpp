@@ -36,6 +36,12 @@ void assign(const toml::table& root, const PlaceOf& place_of, hw::UnitConfig& un
   hw::UnitConfig changed = unit;
   TomlAssigner assigner(root, place_of);
   changed.visit(assigner);
+  if (assigner.places().count("memory.dram.preset") != 0) {
+    // The part first, then what was given beside it.
+    hw::apply(changed.memory.dram.preset, changed.memory.dram);
+    TomlAssigner again(root, place_of);
+    changed.visit(again);
+  }
   unit = changed;
   for (const auto& [path, place] : assigner.places()) places[path] = place;
 }

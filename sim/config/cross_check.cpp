@@ -56,6 +56,17 @@ void cross_check(const hw::UnitConfig& unit, const Places& places) {
                      fmt::format("selective.minimum = {} is above selective.maximum = {}; at most {} would be right",
                                  selective.minimum, selective.maximum, selective.maximum));
   }
+  const hw::DramConfig& dram = unit.memory.dram;
+  const auto below = [&](const char* low, std::uint32_t a, const char* high, std::uint32_t b, bool equal) {
+    if (a < b || (equal && a == b)) return;
+    const std::string first = std::string("memory.dram.") + low, second = std::string("memory.dram.") + high;
+    throw InputError(place_of(places, {first, second}),
+                     fmt::format("{} = {} is {} {} = {}; at most {} would be right", first, a,
+                                 a == b ? "not below" : "above", second, b, equal ? b : b - 1));
+  };
+  below("bank_groups", dram.bank_groups, "banks", dram.banks, true);
+  below("write_low", dram.write_low, "write_high", dram.write_high, false);
+  below("write_high", dram.write_high, "write_queue_depth", dram.write_queue_depth, true);
   hw::UnitConfig copy = unit;
   CacheCheck caches(unit.memory.line, places);
   copy.visit(caches);

@@ -183,6 +183,39 @@ TEST_F(ConfigTest, SetTakesTheLastValueAndKeepsWhatWasThereOnAnError) {
   EXPECT_EQ(configuration.unit().core.node_cache.size, 65536u);
 }
 
+TEST_F(ConfigTest, ADramPresetSetsThePartAndWhatIsGivenBesideItStays) {
+  Configuration file;
+  file.load(write("[memory.dram]\nt_cl = 99\nchannels = 4\npreset = \"lpddr5-6400\"\n"));
+  EXPECT_EQ(file.unit().memory.dram.clock_mhz, 3200u);
+  EXPECT_EQ(file.unit().memory.dram.bank_groups, 4u);
+  EXPECT_EQ(file.unit().memory.dram.t_cl, 99u);
+  EXPECT_EQ(file.unit().memory.dram.channels, 4u);
+  file.set("memory.dram.t_rcd=50");
+  EXPECT_EQ(file.unit().memory.dram.t_rcd, 50u);
+  file.set("memory.dram.preset=lpddr4x-4266");
+  EXPECT_EQ(file.unit().memory.dram.t_rcd, 39u) << "a preset takes everything of a part";
+  EXPECT_EQ(file.unit().memory.dram.channels, 4u);
+  // The defaults are a preset as well.
+  Configuration defaults;
+  hw::DramConfig part;
+  hw::apply(hw::DramPreset::lpddr4_3200, part);
+  const hw::DramConfig own = defaults.unit().memory.dram;
+  EXPECT_EQ(own.t_rfc, part.t_rfc);
+  EXPECT_EQ(own.t_refi, part.t_refi);
+  EXPECT_EQ(own.t_rrd + own.t_faw + own.t_wr + own.t_wtr_s, part.t_rrd + part.t_faw + part.t_wr + part.t_wtr_s);
+  EXPECT_EQ(own.t_rcd + own.t_rp + own.t_ras + own.t_rtp, part.t_rcd + part.t_rp + part.t_ras + part.t_rtp);
+}
+
+TEST_F(ConfigTest, DramParametersMustFitEachOther) {
+  EXPECT_EQ(
+      load_error("[memory.dram]\nwrite_high = 40\n"),
+      "FILE:2: memory.dram.write_high = 40 is above memory.dram.write_queue_depth = 32; at most 32 would be right");
+  EXPECT_EQ(load_error("[memory.dram]\nwrite_low = 24\n"),
+            "FILE:2: memory.dram.write_low = 24 is not below memory.dram.write_high = 24; at most 23 would be right");
+  EXPECT_EQ(load_error("[memory.dram]\nbank_groups = 16\n"),
+            "FILE:2: memory.dram.bank_groups = 16 is above memory.dram.banks = 8; at most 8 would be right");
+}
+
 TEST(ParameterList, HasEveryParameterWithItsDefault) {
   const std::string list = format_parameter_list();
   EXPECT_THAT(list, HasSubstr("core.node_cache.size"));

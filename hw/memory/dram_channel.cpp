@@ -1,0 +1,270 @@
+#include "hw/memory/dram_channel.h"
+
+#include <algorithm>
+
+namespace artu::hw {
+
+namespace {
+
+unsigned log2_of(std::uint64_t power) { return static_cast<unsigned>(__builtin_ctzll(power)); }
+
+Cycle bursts_of(const DramConfig& c) {
+  return (line_bytes * 8 + c.bus_bits * c.burst_length - 1) / (c.bus_bits * c.burst_length);
+}
+
+Cycle refresh_interval(const DramConfig& c) {
+  return c.refresh == RefreshPolicy::per_bank ? std::max<Cycle>(c.t_refi / c.banks, 1) : c.t_refi;
+}
+
+}  // namespace
+
+DramPlace place_of_line(const DramConfig& config, std::uint64_t line) {
+  // All counts are powers of two.
+  const auto take = [&line](std::uint32_t count) {
+    const auto part = static_cast<std::uint32_t>(line & (count - 1));
+    line >>= log2_of(count);
+    return part;
+  };
+  const std::uint32_t columns = config.row_bytes / line_bytes;
+  DramPlace place;
+  switch (config.mapping) {
+    case DramMapping::row_bank_column_channel:
+      place.channel = take(config.channels);
+      take(columns);
+      place.bank = take(config.banks);
+      break;
+    case DramMapping::row_column_bank_channel:
+      place.channel = take(config.channels);
+      place.bank = take(config.banks);
+      take(columns);
+      break;
+    case DramMapping::row_bank_channel_column:
+      take(columns);
+      place.channel = take(config.channels);
+      place.bank = take(config.banks);
+      break;
+  }
+  place.row = line;
+  if (config.bank_hash) place.bank ^= static_cast<std::uint32_t>(line) & (config.banks - 1);
+  return place;
+}
+
+DramChannel::DramChannel(const DramConfig& config)
+    : config_(config),
+      data_(bursts_of(config) * (config.burst_length / 2)),
+      last_column_(data_ - config.burst_length / 2),
+      same_group_(std::max<Cycle>(data_, last_column_ + config.t_ccd_l)),
+      banks_(config.banks),
+      group_read_at_(config.bank_groups),
+      group_write_at_(config.bank_groups) {
+  reset();
+}
+
+void DramChannel::reset() {
+  reads_.clear();
+  writes_.clear();
+  answers_.clear();
+  answered_ = 0;
+  std::fill(banks_.begin(), banks_.end(), Bank{});
+  std::fill(group_read_at_.begin(), group_read_at_.end(), 0);
+  std::fill(group_write_at_.begin(), group_write_at_.end(), 0);
+  activates_.fill(0);
+  activate_index_ = 0;
+  writing_ = false;
+  command_at_ = read_at_ = write_at_ = 0;
+  refresh_at_ = config_.refresh == RefreshPolicy::none ? never : refresh_interval(config_);
+  refresh_bank_ = 0;
+  counts_ = {};
+}
+
+void DramChannel::answer(Cycle done, const MemoryResponse& response) {
+  answers_.push_back({done, response});
+  for (std::size_t i = answers_.size() - 1; i > answered_ && answers_[i].done < answers_[i - 1].done; --i) {
+    std::swap(answers_[i], answers_[i - 1]);
+  }
+}
+
+void DramChannel::pop() {
+  if (++answered_ != answers_.size()) return;
+  answers_.clear();
+  answered_ = 0;
+}
+
+void DramChannel::accept(const MemoryRequest& request, const DramPlace& place, Cycle now) {
+  const MemoryResponse response{request.tag, request.source};
+  if (!request.write()) {
+    for (const Request& waiting : writes_) {
+      if (waiting.line != request.line) continue;
+      ++counts_.forwarded;
+      answer(now + 1, response);
+      return;
+    }
+  }
+  (request.write() ? writes_ : reads_).push_back({response, request.line, place.bank, place.row, now});
+}
+
+/// Refreshes that came due while nothing waited are made up for at their own times: the state is the same.
+void DramChannel::refresh(Cycle now) {
+  while (refresh_at_ <= now) {
+    const Cycle due = refresh_at_;
+    const bool all = config_.refresh == RefreshPolicy::all_bank;
+    const std::uint32_t first = all ? 0 : refresh_bank_, last = all ? config_.banks : refresh_bank_ + 1;
+    Cycle start = due;
+    for (std::uint32_t i = first; i < last; ++i) {
+      Bank& bank = banks_[i];
+      time_out(bank, due);
+      // An open row is closed first; one that was just closed has its precharge to end.
+      const Cycle closed = std::max(due, bank.precharge_at) + (all ? config_.t_rp_all : config_.t_rp);
+      start = std::max(start, bank.open ? closed : bank.activate_at);
+    }
+    for (std::uint32_t i = first; i < last; ++i) {
+      if (banks_[i].open) ++counts_.precharges;
+      banks_[i].open = false;
+      banks_[i].activate_at = start + (all ? config_.t_rfc : config_.t_rfc_bank);
+    }
+    refresh_bank_ = (refresh_bank_ + 1) % config_.banks;
+    refresh_at_ += refresh_interval(config_);
+    ++counts_.refreshes;
+  }
+}
+
+void DramChannel::time_out(Bank& bank, Cycle now) {
+  if (config_.row_policy != RowPolicy::timeout || !bank.open) return;
+  const Cycle at = std::max(bank.precharge_at, bank.used_at + config_.row_timeout);
+  if (at >= now) return;
+  bank.open = false;
+  bank.activate_at = at + config_.t_rp;
+  ++counts_.precharges;
+}
+
+void DramChannel::choose_direction() {
+  const bool before = writing_;
+  if (writing_) {
+    if (writes_.empty() || (writes_.size() <= config_.write_low && !reads_.empty())) writing_ = false;
+  }
+  if (!writing_) {
+    if (writes_.size() >= config_.write_high || (reads_.empty() && !writes_.empty())) writing_ = true;
+  }
+  if (writing_ != before) ++counts_.turns;
+}
+
+Cycle DramChannel::column_at(const Request& request, bool write) const {
+  const std::size_t group = request.bank % config_.bank_groups;
+  return std::max({banks_[request.bank].column_at, write ? write_at_ : read_at_,
+                   write ? group_write_at_[group] : group_read_at_[group]});
+}
+
+Cycle DramChannel::activate_at(const Bank& bank) const {
+  Cycle at = bank.activate_at;
+  const Cycle last = activates_[(activate_index_ + 3) % 4], fourth = activates_[activate_index_];
+  if (last != 0) at = std::max(at, last - 1 + config_.t_rrd);
+  if (fourth != 0) at = std::max(at, fourth - 1 + config_.t_faw);
+  return at;
+}
+
+/// Whether a request of either kind waits for the bank's open row.
+bool DramChannel::wanted(const Bank& bank, std::uint32_t index) const {
+  const auto waits = [&](const Request& r) { return r.bank == index && r.row == bank.row; };
+  const std::vector<Request>& queue = writing_ ? writes_ : reads_;
+  return std::any_of(queue.begin(), queue.end(), waits);
+}
+
+void DramChannel::precharge(Bank& bank, Cycle now) {
+  bank.open = false;
+  bank.activate_at = now + config_.t_rp;
+  ++counts_.precharges;
+}
+
+void DramChannel::activate(Request& request, Cycle now) {
+  Bank& bank = banks_[request.bank];
+  bank.open = true;
+  bank.row = request.row;
+  bank.column_at = now + config_.t_rcd;
+  bank.precharge_at = now + config_.t_ras;
+  bank.used_at = now;
+  if (request.found == Row::open) request.found = Row::none;
+  activates_[activate_index_] = now + 1;
+  activate_index_ = (activate_index_ + 1) % 4;
+  ++counts_.activates;
+}
+
+void DramChannel::column(std::vector<Request>& queue, std::size_t index, bool write, Cycle now) {
+  const Request request = queue[index];
+  queue.erase(queue.begin() + static_cast<std::ptrdiff_t>(index));
+  ++(request.found == Row::open   ? counts_.row_hits
+     : request.found == Row::none ? counts_.row_empty
+                                  : counts_.row_misses);
+  Bank& bank = banks_[request.bank];
+  const Cycle latency = write ? config_.t_cwl : config_.t_cl, end = now + latency + data_;
+  answer(end, request.response);
+  counts_.bus_clocks += data_;
+  bank.used_at = now;
+  bank.precharge_at =
+      std::max(bank.precharge_at, write ? end + config_.t_wr : now + last_column_ + Cycle{config_.t_rtp});
+  const std::size_t group = request.bank % config_.bank_groups;
+  const auto push = [](Cycle& at, Cycle earliest) { at = std::max(at, earliest); };
+  if (write) {
+    push(write_at_, now + data_);
+    push(group_write_at_[group], now + same_group_);
+    push(read_at_, end + config_.t_wtr_s);
+    push(group_read_at_[group], end + config_.t_wtr_l);
+  } else {
+    push(read_at_, now + data_);
+    push(group_read_at_[group], now + same_group_);
+    // The write's data may follow the read's after the bus has turned.
+    const Cycle turned = end + config_.t_turn;
+    push(write_at_, turned > config_.t_cwl ? turned - config_.t_cwl : 0);
+  }
+  if (config_.row_policy == RowPolicy::closed && !wanted(bank, request.bank)) {
+    bank.open = false;  // with the column command: no command of its own
+    bank.activate_at = bank.precharge_at + config_.t_rp;
+    ++counts_.precharges;
+  }
+}
+
+Cycle DramChannel::step(Cycle now) {
+  if (reads_.empty() && writes_.empty()) return never;
+  refresh(now);
+  choose_direction();
+  std::vector<Request>& queue = writing_ ? writes_ : reads_;
+  const bool starving = now >= queue.front().arrived + config_.starvation;
+  const std::size_t end = starving ? 1 : queue.size();
+  Choice hit, other;
+  std::uint64_t seen = 0;  // banks whose oldest request has been looked at
+  for (std::size_t i = 0; i < end; ++i) {
+    const Request& request = queue[i];
+    Bank& bank = banks_[request.bank];
+    time_out(bank, now);
+    if (bank.open && bank.row == request.row) {
+      const Cycle at = column_at(request, writing_);
+      if (at < hit.at) hit = {at, i};
+      if (at <= now) break;  // the oldest that is ready
+      continue;
+    }
+    if ((seen >> request.bank & 1) != 0) continue;
+    seen |= std::uint64_t{1} << request.bank;
+    if (bank.open && !starving && wanted(bank, request.bank)) continue;
+    const Cycle at = bank.open ? bank.precharge_at : activate_at(bank);
+    if (std::max(at, now) < other.at) other = {std::max(at, now), i};
+  }
+  const Cycle next = std::max(std::min(hit.at, other.at), command_at_);
+  Cycle wake = std::min(next, refresh_at_);
+  if (!starving) wake = std::min(wake, queue.front().arrived + config_.starvation);
+  if (next > now) return std::max(wake, now + 1);
+  command_at_ = now + config_.t_command;
+  if (hit.at <= now) {
+    column(queue, hit.index, writing_, now);
+  } else {
+    Request& request = queue[other.index];
+    Bank& bank = banks_[request.bank];
+    if (bank.open) {
+      precharge(bank, now);
+      request.found = Row::other;
+    } else {
+      activate(request, now);
+    }
+  }
+  return reads_.empty() && writes_.empty() ? never : std::max(command_at_, now + 1);
+}
+
+}  // namespace artu::hw
