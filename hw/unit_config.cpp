@@ -22,6 +22,9 @@ void CacheConfig::visit(ParameterVisitor& v) {
   v.integer("hit_latency", hit_latency, {1, 1000}, "cycles", "from a request's arrival to its data, on a hit");
   v.integer("mshrs", mshrs, {1, 1024}, "", "lines that can be outstanding at a time");
   v.flag("hashed", hashed, "choose the set by a hash of the address, so that rows of a picture do not share sets");
+  v.choice("replacement", replacement, {"lru", "plru", "random"},
+           "which line of a full set goes: the least recently used, nearly that (a tree of bits), or any");
+  v.integer("seed", seed, {0, 0xffffffffu}, "", "of random replacement");
   v.integer("targets", targets, {1, 1024}, "", "requests that can wait for one outstanding line");
 }
 

@@ -21,6 +21,8 @@ struct PrecisionConfig {
   void visit(ParameterVisitor& v);
 };
 
+enum class ReplacementPolicy : std::uint8_t { lru, plru, random };
+
 struct CacheConfig {
   std::uint32_t size = 16384;  // bytes
   std::uint32_t ways = 4;
@@ -28,6 +30,8 @@ struct CacheConfig {
   std::uint32_t mshrs = 8;        // lines that can be outstanding
   std::uint32_t targets = 8;      // requests that can wait for one line
   bool hashed = false;            // sets chosen by a hash of the address
+  ReplacementPolicy replacement = ReplacementPolicy::lru;
+  std::uint32_t seed = 1;  // of random replacement
   void visit(ParameterVisitor& v);
 };
 

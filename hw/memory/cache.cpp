@@ -13,7 +13,8 @@ Cache::Cache(sc_core::sc_module_name name, ClockDomain& domain, const CacheConfi
     : Block(name, domain),
       config_(config),
       sets_(config.size / line_bytes / config.ways),
-      set_shift_(sets_ > 1 ? static_cast<unsigned>(__builtin_ctzll(sets_)) : 1) {
+      set_shift_(sets_ > 1 ? static_cast<unsigned>(__builtin_ctzll(sets_)) : 1),
+      replacement_(config.replacement, sets_, config.ways, config.seed) {
   lines_.resize(sets_ * config.ways);
   mshrs_.resize(config.mshrs);
   mshr_lines_.resize(config.mshrs);
@@ -35,7 +36,7 @@ void Cache::reset() {
   arbiter_.reset();
   changes_ = 0;
   std::fill(blocked_at_.begin(), blocked_at_.end(), never);
-  clock_ = 0;
+  replacement_.reset();
   flushing_ = false;
   hits_ = misses_ = merged_ = fills_ = write_backs_ = reads_ = writes_ = 0;
 }
@@ -53,9 +54,13 @@ Cache::Line* Cache::find(Address line) {
   return nullptr;
 }
 
-Cache::Line* Cache::victim(Address line) {
-  Line* set = &lines_[set_of(line) * config_.ways];
-  return std::min_element(set, set + config_.ways, [](const Line& a, const Line& b) { return a.used < b.used; });
+/// Index in lines_ of a way that holds nothing, or of the one that goes.
+std::size_t Cache::place_for(Address line) const {
+  const std::size_t set = set_of(line), first = set * config_.ways;
+  for (std::uint32_t way = 0; way < config_.ways; ++way) {
+    if (lines_[first + way].tag == 0) return first + way;
+  }
+  return first + replacement_.victim(set);
 }
 
 /// The MSHR of a line, or a free one for line 0; the number of MSHRs if there is none.
@@ -65,14 +70,17 @@ std::size_t Cache::mshr_of(Address line) const {
 
 /// Puts a line in its set; false if the victim is dirty and cannot be written back in this cycle.
 bool Cache::install(Address line, bool dirty) {
-  Line* place = victim(line);
-  if (place->tag != 0 && place->dirty) {
+  const std::size_t at = place_for(line);
+  Line& place = lines_[at];
+  if (place.tag != 0 && place.dirty) {
     if (!below_->request.can_push()) return false;
-    below_->request.push({place->tag, whole_line, write_back_tag, 0});
+    below_->request.push({place.tag, whole_line, write_back_tag, 0});
     ++outstanding_writes_;
     ++write_backs_;
   }
-  *place = {line, ++clock_, dirty};
+  if (place.tag != 0) replacement_.replaced();
+  place = {line, dirty};
+  replacement_.touch(at / config_.ways, static_cast<std::uint32_t>(at % config_.ways));
   ++changes_;
   return true;
 }
@@ -166,7 +174,8 @@ bool Cache::serve(std::size_t client, bool& blocked_out) {
       blocked_out = true;
       return false;
     }
-    line->used = ++clock_;
+    const auto at = static_cast<std::size_t>(line - lines_.data());
+    replacement_.touch(at / config_.ways, static_cast<std::uint32_t>(at % config_.ways));
     line->dirty |= request.write();
     link.response.push({request.tag, request.source});
     ++hits_;

@@ -5,14 +5,15 @@
 // Latency: `hit_latency` from a request's arrival to its response (the response channel's latency).
 // Hit under miss: a miss waits in an MSHR while later requests go on; a second miss on the same line waits in
 // the same MSHR.  Stalls a client whose miss finds no MSHR (stall_mem) or whose response channel is full (stall_out).
-// LRU replacement; with `hashed` the set is a hash of the line's address.  A write of a whole line allocates without a
-// fetch.
+// A free way first, then what `replacement` says; with `hashed` the set is a hash of the line's address.  A write of a
+// whole line allocates without a fetch.
 #pragma once
 
 #include <vector>
 
 #include "hw/fabric/memory_port.h"
 #include "hw/fabric/round_robin.h"
+#include "hw/memory/replacement.h"
 #include "hw/unit_config.h"
 
 namespace artu::hw {
@@ -53,7 +54,6 @@ class Cache : public Block {
  private:
   struct Line {
     Address tag = 0;  // line address, 0 = invalid (address 0 is never used)
-    std::uint64_t used = 0;
     bool dirty = false;
   };
   struct Target {
@@ -76,7 +76,7 @@ class Cache : public Block {
   bool anything_left() const;
   std::size_t set_of(Address line) const;
   Line* find(Address line);
-  Line* victim(Address line);
+  std::size_t place_for(Address line) const;
   bool install(Address line, bool dirty);
   std::size_t mshr_of(Address line) const;
 
@@ -88,7 +88,8 @@ class Cache : public Block {
   Fifo<CacheCommand>* flush_ = nullptr;
   Fifo<CacheCommand>* flushed_ = nullptr;
 
-  std::vector<Line> lines_;
+  std::vector<Line> lines_;  // sets_ times ways
+  Replacement replacement_;
   std::vector<Mshr> mshrs_;
   std::vector<Address> mshr_lines_;    // line of each MSHR, 0 = free: apart, since every miss looks through all
   std::vector<std::uint32_t> filled_;  // MSHRs with targets to answer, in order of their fills
@@ -98,7 +99,6 @@ class Cache : public Block {
   // A miss that found no MSHR need not be looked at again before the MSHRs or the lines have changed.
   std::uint64_t changes_ = 0;
   std::vector<std::uint64_t> blocked_at_;  // by client: the value of changes_ when its miss was turned away
-  std::uint64_t clock_ = 0;                // for LRU
   bool flushing_ = false;
   std::size_t flush_at_ = 0;
   std::uint32_t outstanding_writes_ = 0;

@@ -135,6 +135,39 @@ TEST(Cache, AWorkingSetOfAllWaysIsMissedOnceAndOneMoreLineIsMissedAlways) {
   EXPECT_EQ(fetched(bad, thrashes).size(), 50u);
 }
 
+CacheConfig with(ReplacementPolicy policy, std::uint32_t ways, std::uint32_t seed = 1) {
+  CacheConfig config{64 * ways, ways, 2, 4, 4};  // one set
+  config.replacement = policy;
+  config.seed = seed;
+  return config;
+}
+
+TEST(Cache, PseudoLruFollowsItsTreeOfBits) {
+  CacheBench b(with(ReplacementPolicy::plru, 4));
+  // 0 ... 3 fill the ways.  Using 0 points the root right and its left node at way 1; the right node still points at
+  // way 2, so 4 replaces 2, where LRU would have replaced 1.
+  EXPECT_EQ(fetched(b, {0, 1, 2, 3, 0, 4, 1, 2}), (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 2}));
+  CacheBench two(with(ReplacementPolicy::plru, 2)), lru(with(ReplacementPolicy::lru, 2));
+  const std::vector<std::uint32_t> pattern{0, 1, 0, 2, 0, 1, 2, 2, 0, 1, 0, 3, 1, 0};
+  EXPECT_EQ(fetched(two, pattern), fetched(lru, pattern)) << "with two ways there is no difference";
+}
+
+TEST(Cache, RandomReplacementFollowsItsSeedAndDoesNotThrash) {
+  std::vector<std::uint32_t> pattern;
+  for (int round = 0; round < 60; ++round) {
+    for (std::uint32_t k = 0; k < 5; ++k) pattern.push_back(k);
+  }
+  CacheBench a(with(ReplacementPolicy::random, 4)), again(with(ReplacementPolicy::random, 4)),
+      other(with(ReplacementPolicy::random, 4, 2)), lru(with(ReplacementPolicy::lru, 4));
+  const auto fetches = fetched(a, pattern);
+  EXPECT_EQ(fetched(again, pattern), fetches);
+  EXPECT_NE(fetched(other, pattern), fetches);
+  // Of a cycle of n + 1 lines LRU keeps none; random keeps many.
+  EXPECT_EQ(fetched(lru, pattern).size(), pattern.size());
+  EXPECT_LT(fetches.size(), pattern.size() * 2 / 3);
+  EXPECT_GT(fetches.size(), pattern.size() / 5);
+}
+
 TEST(Cache, AHashSpreadsLinesThatWouldShareASet) {
   // Eight lines, a cache's size apart: one set of two ways without the hash, all four sets with it.
   for (bool hashed : {false, true}) {
