@@ -218,8 +218,8 @@ int parse_and_run(int argc, const char* const* argv) {
       app.add_subcommand("precision",
                          "Simulate frames with datapaths of every width and with every kind of tree: cycles, node "
                          "visits, and how far the picture is from 23 bits' and from one in binary64.  Widths and "
-                         "trees of the configuration do not count.  A frame of the sample stage takes about a "
-                         "minute with the defaults");
+                         "trees of the configuration do not count.  A frame of the sample stage takes one to "
+                         "two minutes with the defaults");
   add_precision_options(*command, precision);
   command->callback([&] { chosen = [&] { return precision_command(precision); }; });
 

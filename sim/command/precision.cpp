@@ -22,7 +22,7 @@
 namespace artu::sim {
 namespace {
 
-/// About a minute for a frame of the sample stage on one core.
+/// One to two minutes for a frame of the sample stage on one core.
 constexpr std::uint32_t default_bits[] = {7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 19, 21, 23};
 constexpr const char* default_size = "320x180";
 

@@ -25,7 +25,7 @@ std::string thousands(std::uint64_t sum, std::uint32_t frames) {
 void add(Cells& cells, const ImageError& error) {
   cells.push_back(std::isinf(error.psnr()) ? "same" : fmt::format("{:.2f}", error.psnr()));
   cells.push_back(std::isnan(error.ssim()) ? "-" : fmt::format("{:.5f}", error.ssim()));
-  cells.push_back(fmt::format("{:.2f}", 100 * error.differing_share()));
+  cells.push_back(fmt::format("{:.3f}", 100 * error.differing_share()));
 }
 
 }  // namespace
