@@ -13,28 +13,32 @@ namespace {
 constexpr float embree_limit = 1.8e18f;
 
 // Travels through Embree with a ray.  Embree hands the callbacks the pointer to `embree`.
+template <class Tests>
 struct TraceContext {
   RTCIntersectContext embree;
-  const Ray* ray;
-  Hit best;
+  const typename Tests::Ray* ray;
+  HitIn<typename Tests::Number> best;
 };
 
 // Embree stops the program at a ray that it thinks is not valid; the contract knows no such rays.
+template <class Ray>
 bool embree_takes(const Ray& ray) {
-  const auto fits = [](const Vec3& v) {
+  const auto fits = [](const auto& v) {
     return std::fabs(v.x) < embree_limit && std::fabs(v.y) < embree_limit && std::fabs(v.z) < embree_limit;
   };
   return fits(ray.origin) && fits(ray.direction);
 }
 
+template <class Ray>
 void fill(RTCRay& out, const Ray& ray, float tfar) {
-  out.org_x = ray.origin.x;
-  out.org_y = ray.origin.y;
-  out.org_z = ray.origin.z;
+  const auto origin = static_cast<Vec3>(ray.origin), direction = static_cast<Vec3>(ray.direction);
+  out.org_x = origin.x;
+  out.org_y = origin.y;
+  out.org_z = origin.z;
   out.tnear = 0;  // a box that the ray only touches at 0 is visited: Embree compares with <=
-  out.dir_x = ray.direction.x;
-  out.dir_y = ray.direction.y;
-  out.dir_z = ray.direction.z;
+  out.dir_x = direction.x;
+  out.dir_y = direction.y;
+  out.dir_z = direction.z;
   out.time = 0;
   out.tfar = tfar;
   out.mask = ~0u;
@@ -60,14 +64,16 @@ void EmbreeDevice::check(const char* what) const {
     throw std::runtime_error(std::string("Embree: ") + what + ", error " + std::to_string(error));
 }
 
-void EmbreeScene::Release::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
+template <class Tests>
+void EmbreeSceneOf<Tests>::Release::operator()(RTCSceneTy* scene) const {
+  rtcReleaseScene(scene);
+}
 
-EmbreeScene::EmbreeScene(const EmbreeDevice& device, const HitTests& tests)
-    : device_(device),
-      tests_(tests),
-      tfar_factor_(1.0f + 32.0f / static_cast<float>(1 << tests.precision().narrower_test()) + 0x1p-18f) {}
+template <class Tests>
+EmbreeSceneOf<Tests>::EmbreeSceneOf(const EmbreeDevice& device, const Tests& tests) : device_(device), tests_(tests) {}
 
-void EmbreeScene::set(const traces::Mesh& mesh, std::int64_t first_id) {
+template <class Tests>
+void EmbreeSceneOf<Tests>::set(const traces::Mesh& mesh, std::int64_t first_id) {
   scene_.reset();
   first_id_ = first_id;
   triangles_.resize(mesh.triangle_count());
@@ -82,18 +88,15 @@ void EmbreeScene::set(const traces::Mesh& mesh, std::int64_t first_id) {
   extent_ = extent_of(triangles_);
 }
 
-// What Embree may still cull by: a little behind the best hit, so that ties are never lost; the narrower the tests, the
-// more.  The constant makes it positive: Embree compares distances as integers, to which a hit at t = -0 (legal) lies
-// before everything.
-float EmbreeScene::tfar(float t) const { return t * tfar_factor_ + 0x1p-100f; }
-
-Box EmbreeScene::padded(std::uint32_t triangle) const {
+template <class Tests>
+Box EmbreeSceneOf<Tests>::padded(std::uint32_t triangle) const {
   const Box box = triangle_box(triangles_[triangle]);
   return {{below(box.lo.x - padding_), below(box.lo.y - padding_), below(box.lo.z - padding_)},
           {above(box.hi.x + padding_), above(box.hi.y + padding_), above(box.hi.z + padding_)}};
 }
 
-void EmbreeScene::build(double padding) {
+template <class Tests>
+void EmbreeSceneOf<Tests>::build(double padding) {
   padding_ = padding;
   oversized_.clear();
   scene_.reset();
@@ -118,8 +121,9 @@ void EmbreeScene::build(double padding) {
 }
 
 // Embree calls this with subnormals flushed to zero, which costs at most 2^-126: the padding is at least 2^-58.
-void EmbreeScene::bounds_callback(const RTCBoundsFunctionArguments* args) {
-  const auto& scene = *static_cast<const EmbreeScene*>(args->geometryUserPtr);
+template <class Tests>
+void EmbreeSceneOf<Tests>::bounds_callback(const RTCBoundsFunctionArguments* args) {
+  const auto& scene = *static_cast<const EmbreeSceneOf*>(args->geometryUserPtr);
   const Box box = scene.padded(args->primID);
   RTCBounds& out = *args->bounds_o;
   out.lower_x = box.lo.x;
@@ -130,30 +134,33 @@ void EmbreeScene::bounds_callback(const RTCBoundsFunctionArguments* args) {
   out.upper_z = box.hi.z;
 }
 
-void EmbreeScene::intersect_callback(const RTCIntersectFunctionNArguments* args) {
-  const auto& scene = *static_cast<const EmbreeScene*>(args->geometryUserPtr);
-  auto& context = *reinterpret_cast<TraceContext*>(args->context);
+template <class Tests>
+void EmbreeSceneOf<Tests>::intersect_callback(const RTCIntersectFunctionNArguments* args) {
+  const auto& scene = *static_cast<const EmbreeSceneOf*>(args->geometryUserPtr);
+  auto& context = *reinterpret_cast<TraceContext<Tests>*>(args->context);
   const Triangle& triangle = scene.triangles_[args->primID];
-  TriangleHit hit;
+  TriangleHitIn<typename Tests::Number> hit;
   if (scene.tests_.surely_misses(*context.ray, triangle)) return;
   if (!scene.tests_.intersect(*context.ray, triangle, hit)) return;
   if (!improve(context.best, scene.first_id_ + args->primID, hit)) return;
-  reinterpret_cast<RTCRayHit*>(args->rayhit)->ray.tfar = scene.tfar(hit.t);
+  reinterpret_cast<RTCRayHit*>(args->rayhit)->ray.tfar = scene.tests_.tfar(hit.t);
 }
 
-void EmbreeScene::occluded_callback(const RTCOccludedFunctionNArguments* args) {
-  const auto& scene = *static_cast<const EmbreeScene*>(args->geometryUserPtr);
-  const auto& context = *reinterpret_cast<TraceContext*>(args->context);
+template <class Tests>
+void EmbreeSceneOf<Tests>::occluded_callback(const RTCOccludedFunctionNArguments* args) {
+  const auto& scene = *static_cast<const EmbreeSceneOf*>(args->geometryUserPtr);
+  const auto& context = *reinterpret_cast<TraceContext<Tests>*>(args->context);
   const Triangle& triangle = scene.triangles_[args->primID];
-  TriangleHit hit;
+  TriangleHitIn<typename Tests::Number> hit;
   if (scene.tests_.surely_misses(*context.ray, triangle)) return;
   if (!scene.tests_.intersect(*context.ray, triangle, hit)) return;
   reinterpret_cast<RTCRay*>(args->ray)->tfar = -HUGE_VALF;  // Embree's sign for "occluded, stop"
 }
 
-void EmbreeScene::closest(const Ray& ray, Hit& best) const {
+template <class Tests>
+void EmbreeSceneOf<Tests>::closest(const Ray& ray, Hit& best) const {
   if (!scene_) return;
-  TriangleHit hit;
+  TriangleHitIn<typename Tests::Number> hit;
   if (!embree_takes(ray)) {
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
       if (tests_.intersect(ray, triangles_[i], hit)) improve(best, first_id_ + i, hit);
@@ -163,21 +170,22 @@ void EmbreeScene::closest(const Ray& ray, Hit& best) const {
   for (const std::uint32_t i : oversized_) {
     if (tests_.intersect(ray, triangles_[i], hit)) improve(best, first_id_ + i, hit);
   }
-  TraceContext context;
+  TraceContext<Tests> context;
   rtcInitIntersectContext(&context.embree);
   context.ray = &ray;
   context.best = best;
   RTCRayHit rayhit;
-  fill(rayhit.ray, ray, tfar(best.id < 0 ? ray.tmax : best.at.t));
+  fill(rayhit.ray, ray, tests_.tfar(best.id < 0 ? ray.tmax : best.at.t));
   rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_.get(), &context.embree, &rayhit);
   best = context.best;
 }
 
-bool EmbreeScene::occluded(const Ray& ray) const {
+template <class Tests>
+bool EmbreeSceneOf<Tests>::occluded(const Ray& ray) const {
   if (!scene_) return false;
-  TriangleHit hit;
+  TriangleHitIn<typename Tests::Number> hit;
   if (!embree_takes(ray)) {
     for (const Triangle& triangle : triangles_) {
       if (tests_.intersect(ray, triangle, hit)) return true;
@@ -187,13 +195,16 @@ bool EmbreeScene::occluded(const Ray& ray) const {
   for (const std::uint32_t i : oversized_) {
     if (tests_.intersect(ray, triangles_[i], hit)) return true;
   }
-  TraceContext context;
+  TraceContext<Tests> context;
   rtcInitIntersectContext(&context.embree);
   context.ray = &ray;
   RTCRay embree_ray;
-  fill(embree_ray, ray, tfar(ray.tmax));
+  fill(embree_ray, ray, tests_.tfar(ray.tmax));
   rtcOccluded1(scene_.get(), &context.embree, &embree_ray);
   return embree_ray.tfar < 0;
 }
+
+template class EmbreeSceneOf<HitTests>;
+template class EmbreeSceneOf<Binary64Tests>;
 
 }  // namespace artu::ref

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "ref/binary64_tests.h"
 #include "ref/hit_tests.h"
 #include "ref/padding.h"
 
@@ -31,12 +32,16 @@ class EmbreeDevice {
   std::unique_ptr<RTCDeviceTy, Release> device_;
 };
 
-/// Embree keeps a pointer to this object, hence neither copies nor moves.
-class EmbreeScene {
+/// Embree keeps a pointer to this object, hence neither copies nor moves.  Tests is HitTests or Binary64Tests.
+template <class Tests>
+class EmbreeSceneOf {
  public:
-  explicit EmbreeScene(const EmbreeDevice& device, const HitTests& tests = HitTests());
-  EmbreeScene(const EmbreeScene&) = delete;
-  EmbreeScene& operator=(const EmbreeScene&) = delete;
+  using Ray = typename Tests::Ray;
+  using Hit = HitIn<typename Tests::Number>;
+
+  explicit EmbreeSceneOf(const EmbreeDevice& device, const Tests& tests = Tests());
+  EmbreeSceneOf(const EmbreeSceneOf&) = delete;
+  EmbreeSceneOf& operator=(const EmbreeSceneOf&) = delete;
 
   /// Takes the mesh's triangles; their global ids are `first_id`, `first_id + 1`, ...  `build` must follow.
   void set(const traces::Mesh& mesh, std::int64_t first_id);
@@ -47,7 +52,7 @@ class EmbreeScene {
   const std::vector<Triangle>& triangles() const { return triangles_; }
   std::int64_t first_id() const { return first_id_; }
   double padding() const { return padding_; }
-  const HitTests& tests() const { return tests_; }
+  const Tests& tests() const { return tests_; }
 
   /// Improves `best` by the closest hit of these triangles.  The ray is one of `tests()`.
   void closest(const Ray& ray, Hit& best) const;
@@ -58,15 +63,13 @@ class EmbreeScene {
   struct Release {
     void operator()(RTCSceneTy* scene) const;
   };
-  float tfar(float t) const;
   Box padded(std::uint32_t triangle) const;
   static void bounds_callback(const RTCBoundsFunctionArguments* args);
   static void intersect_callback(const RTCIntersectFunctionNArguments* args);
   static void occluded_callback(const RTCOccludedFunctionNArguments* args);
 
   const EmbreeDevice& device_;
-  const HitTests tests_;
-  const float tfar_factor_;
+  const Tests tests_;
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> oversized_;  // beyond Embree's range of coordinates: tested one by one
   Extent extent_;
@@ -74,5 +77,6 @@ class EmbreeScene {
   double padding_ = 0;
   std::unique_ptr<RTCSceneTy, Release> scene_;  // null where there is no triangle
 };
+using EmbreeScene = EmbreeSceneOf<HitTests>;
 
 }  // namespace artu::ref

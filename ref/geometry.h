@@ -6,22 +6,28 @@
 namespace artu::ref {
 
 /// Both scenes have the same tests.
-struct Geometry {
-  const EmbreeScene& fixed;    // static class: ids from 0
-  const EmbreeScene& dynamic;  // ids from the static triangle count
+template <class Tests>
+struct GeometryOf {
+  using Ray = typename Tests::Ray;
+  using Number = typename Tests::Number;
+
+  const EmbreeSceneOf<Tests>& fixed;    // static class: ids from 0
+  const EmbreeSceneOf<Tests>& dynamic;  // ids from the static triangle count
 
   /// A ray for both.
-  Ray ray(const Vec3& origin, const Vec3& direction, float tmax = no_tmax) const {
-    return fixed.tests().ray(origin, direction, tmax);
+  Ray ray(const Vector<Number>& origin, const Vector<Number>& direction, Number tmax = no_tmax) const {
+    return tests().ray(origin, direction, tmax);
   }
-  Hit closest(const Ray& ray) const {
-    Hit best;
+  HitIn<Number> closest(const Ray& ray) const {
+    HitIn<Number> best;
     fixed.closest(ray, best);
     dynamic.closest(ray, best);
     return best;
   }
   bool occluded(const Ray& ray) const { return fixed.occluded(ray) || dynamic.occluded(ray); }
+  const Tests& tests() const { return fixed.tests(); }
   bool is_dynamic(std::int64_t id) const { return id >= dynamic.first_id(); }
 };
+using Geometry = GeometryOf<HitTests>;
 
 }  // namespace artu::ref

@@ -40,6 +40,7 @@ HitTests::HitTests(const Precision& precision, bool emulate)
   });
   padding_ = interval_padding(precision.narrower_test());
   margin_ = padding_ - 1.0f;
+  tfar_factor_ = 1.0f + 32.0f / static_cast<float>(1 << precision.narrower_test()) + 0x1p-18f;
 }
 
 // What the box test computes of a box lies, on an axis and at the exit, within 4 e of what it is in binary32 (e of

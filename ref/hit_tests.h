@@ -1,6 +1,7 @@
 // Ray set-up and the tests of docs/arithmetic.md section 3 in the formats of a configuration.
 #pragma once
 
+#include "ref/padding.h"
 #include "ref/precision.h"
 #include "ref/triangle.h"
 
@@ -10,6 +11,9 @@ namespace artu::ref {
 /// that each format is compiled once for either test and not once for each pair.
 class HitTests {
  public:
+  using Number = float;  // of rays, points and hits
+  using Ray = ref::Ray;
+
   /// Throws std::invalid_argument for a width outside of 7 ... 23.  `emulate` computes 23 bits by way of binary64 as
   /// well, for tests.
   explicit HitTests(const Precision& precision = {}, bool emulate = false);
@@ -30,6 +34,16 @@ class HitTests {
   bool surely_misses(const Ray& ray, const Triangle& triangle) const { return !native_ && far_off(ray, triangle); }
 
   const Precision& precision() const { return precision_; }
+  int triangle_bits() const { return precision_.triangle; }
+
+  /// What Embree needs to find every candidate: by how much its boxes are widened, and where it may stop behind a hit
+  /// at t (docs/arithmetic.md section 9): a little behind, so that ties are never lost; the narrower the tests, the
+  /// more.  The constant makes it positive: Embree compares distances as integers, to which a hit at t = -0 (legal)
+  /// lies before everything.
+  double padding(const Extent& geometry, const Extent& camera) const {
+    return required_padding(geometry, camera, precision_);
+  }
+  float tfar(float t) const { return t * tfar_factor_ + 0x1p-100f; }
 
  private:
   template <class N>
@@ -39,7 +53,7 @@ class HitTests {
 
   bool native_;
   Precision precision_;
-  float padding_, margin_;
+  float padding_, margin_, tfar_factor_;
   Interval (*interval_)(const Ray&, const Box&, float padding);
   bool (*narrow_)(const HitTests&, const Ray&, const Triangle&, TriangleHit&);
   float (*to_box_)(float);

@@ -1,6 +1,7 @@
 // Light that arrives at a point, before shadows (docs/arithmetic.md section 7, "Lights", steps 1 to 4).
 //
-// N is the shading format; what decides on a shadow ray or leads it is float in any format.
+// N is the shading format; what decides on a shadow ray or leads it is in F: float in any of the unit's formats, and
+// double where all is.
 #pragma once
 
 #include "ref/hit_point.h"
@@ -8,27 +9,28 @@
 
 namespace artu::ref {
 
-template <class N>
+template <class N, class F = float>
 struct LightSample {
   Triple<N> towards;    // L
   Triple<N> intensity;  // I
-  Vec3 shadow;          // D, direction of the shadow ray from Pout
-  float tmax;           // of the shadow ray
+  Vector<F> shadow;     // D, direction of the shadow ray from Pout
+  F tmax;               // of the shadow ray
 };
 
 /// False where the light does not reach `point` (out of range, or too close or too far for binary32).
-template <class N>
-bool sample_light(const traces::Light& light, const Vec3& point, LightSample<N>& sample) {
+template <class N, class F>
+bool sample_light(const traces::Light& light, const Vector<F>& point, LightSample<N, F>& sample) {
   using std::sqrt;
   if (light.kind == traces::LightKind::directional) {
-    const Vec3 towards = -light.direction;
+    const Vector<F> towards = -Vector<F>(light.direction);
     sample = {towards, light.color, towards, no_tmax};
     return true;
   }
-  const Vec3 d = light.position - point;
-  const float square = dot(d, d);
+  const Vector<F> d = light.position - point;
+  const F square = dot(d, d);
   if (!(0x1p-100f <= square && square <= 0x1p100f)) return false;
-  if (square > light.range * light.range) return false;
+  const F range = light.range;
+  if (square > range * range) return false;
   const N r2 = square, one(1), zero(0);
   const Triple<N> towards = Triple<N>(d) * (one / sqrt(r2));
   N attenuation = one / r2;
@@ -38,7 +40,7 @@ bool sample_light(const traces::Light& light, const Vec3& point, LightSample<N>&
     s = min(max(s, zero), one);
     attenuation = attenuation * (s * s);
   }
-  sample = {towards, Triple<N>(light.color) * attenuation, d, 1.0f};
+  sample = {towards, Triple<N>(light.color) * attenuation, d, F(1)};
   return true;
 }
 
@@ -60,9 +62,9 @@ Surface<N> surface_of(const traces::Material& material, const Triple<N>& tex) {
 }
 
 /// What the light adds to the pixel if it is not in shadow (C, with the ray's weight T); false where step 2 or 4 skips.
-template <class N>
-bool contribution(const LightSample<N>& light, const HitPoint& point, const Vec3& direction, const Surface<N>& surface,
-                  unsigned specular_log2, const Triple<N>& weight, Triple<N>& result) {
+template <class N, class F>
+bool contribution(const LightSample<N, F>& light, const HitPointIn<F>& point, const Vector<F>& direction,
+                  const Surface<N>& surface, unsigned specular_log2, const Triple<N>& weight, Triple<N>& result) {
   const N zero(0);
   const Triple<N> ns = point.ns;
   const N nl = dot(ns, light.towards);

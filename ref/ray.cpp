@@ -46,14 +46,21 @@ Ray make_ray(const Vec3& origin, const Vec3& direction, float tmax) {
   return ray;
 }
 
-Vec3 camera_origin(const traces::Camera& camera, std::uint32_t x, std::uint32_t y) {
-  const float fx = static_cast<float>(x) + 0.5f, fy = static_cast<float>(y) + 0.5f;
-  return (camera.origin + camera.origin_du * fx) + camera.origin_dv * fy;
+template <class F>
+Vector<F> camera_origin(const traces::Camera& camera, std::uint32_t x, std::uint32_t y) {
+  const F fx = static_cast<F>(x) + F(0.5), fy = static_cast<F>(y) + F(0.5);
+  return (camera.origin + Vector<F>(camera.origin_du) * fx) + Vector<F>(camera.origin_dv) * fy;
 }
 
-Vec3 camera_direction(const traces::Camera& camera, std::uint32_t x, std::uint32_t y) {
-  const float fx = static_cast<float>(x) + 0.5f, fy = static_cast<float>(y) + 0.5f;
-  return unit((camera.corner + camera.du * fx) + camera.dv * fy);
+template <class F>
+Vector<F> camera_direction(const traces::Camera& camera, std::uint32_t x, std::uint32_t y) {
+  const F fx = static_cast<F>(x) + F(0.5), fy = static_cast<F>(y) + F(0.5);
+  return unit((camera.corner + Vector<F>(camera.du) * fx) + Vector<F>(camera.dv) * fy);
 }
+
+template Vector<float> camera_origin<float>(const traces::Camera&, std::uint32_t, std::uint32_t);
+template Vector<double> camera_origin<double>(const traces::Camera&, std::uint32_t, std::uint32_t);
+template Vector<float> camera_direction<float>(const traces::Camera&, std::uint32_t, std::uint32_t);
+template Vector<double> camera_direction<double>(const traces::Camera&, std::uint32_t, std::uint32_t);
 
 }  // namespace artu::ref

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "ref/vec.h"
+#include "ref/triple.h"
 
 namespace artu::ref {
 
@@ -27,9 +27,15 @@ struct Ray {
 Ray make_ray(const Vec3& origin, const Vec3& direction, float tmax = no_tmax);
 
 /// A dead ray is not traced and counts as a miss.
-inline bool is_dead(const Vec3& direction) { return is_zero(direction); }
+template <class V>
+bool is_dead(const V& direction) {
+  return is_zero(direction);
+}
 
-Vec3 camera_origin(const traces::Camera& camera, std::uint32_t x, std::uint32_t y);
-Vec3 camera_direction(const traces::Camera& camera, std::uint32_t x, std::uint32_t y);
+/// Of the primary ray of a pixel, in F: float or double.
+template <class F = float>
+Vector<F> camera_origin(const traces::Camera& camera, std::uint32_t x, std::uint32_t y);
+template <class F = float>
+Vector<F> camera_direction(const traces::Camera& camera, std::uint32_t x, std::uint32_t y);
 
 }  // namespace artu::ref

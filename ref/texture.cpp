@@ -8,35 +8,39 @@
 namespace artu::ref {
 namespace {
 
-float wrapped(float u, traces::Wrap wrap) {
+template <class F>
+F wrapped(F u, traces::Wrap wrap) {
   if (wrap == traces::Wrap::repeat) return u - std::floor(u);
-  if (wrap == traces::Wrap::clamp) return min(max(u, 0.0f), 1.0f);
-  const float g = u - 2.0f * std::floor(u * 0.5f);
-  return g > 1.0f ? 2.0f - g : g;
+  if (wrap == traces::Wrap::clamp) return min(max(u, F(0)), F(1));
+  const F g = u - F(2) * std::floor(u * F(0.5));
+  return g > F(1) ? F(2) - g : g;
 }
 
-std::int32_t wrapped(std::int32_t i, std::int32_t size, traces::Wrap wrap) {
+std::int32_t wrapped_index(std::int32_t i, std::int32_t size, traces::Wrap wrap) {
   if (wrap == traces::Wrap::repeat) return i < 0 ? i + size : i >= size ? i - size : i;
   return i < 0 ? 0 : i >= size ? size - 1 : i;
 }
 
-Vec3 texel(const traces::Texture& texture, std::int32_t x, std::int32_t y, const Srgb& tables) {
+template <class F>
+Vector<F> texel(const traces::Texture& texture, std::int32_t x, std::int32_t y, const SrgbIn<F>& tables) {
   const std::uint8_t* p = &texture.rgba[4 * (static_cast<std::size_t>(y) * texture.width + x)];
   return {tables.decode(p[0]), tables.decode(p[1]), tables.decode(p[2])};
 }
 
 }  // namespace
 
-Tap tap(float coordinate, std::uint32_t size, traces::Wrap wrap) {
-  const float s = wrapped(coordinate, wrap) * static_cast<float>(size) - 0.5f;
-  const float floored = std::floor(s);
+template <class F>
+Tap<F> tap(F coordinate, std::uint32_t size, traces::Wrap wrap) {
+  const F s = wrapped(coordinate, wrap) * static_cast<F>(size) - F(0.5);
+  const F floored = std::floor(s);
   const auto i = static_cast<std::int32_t>(floored), n = static_cast<std::int32_t>(size);
-  return {wrapped(i, n, wrap), wrapped(i + 1, n, wrap), s - floored};
+  return {wrapped_index(i, n, wrap), wrapped_index(i + 1, n, wrap), s - floored};
 }
 
-Texels fetch(const traces::Texture& texture, const Vec2& uv) {
-  const Srgb& tables = srgb();
-  const Tap x = tap(uv.x, texture.width, texture.wrap_u), y = tap(uv.y, texture.height, texture.wrap_v);
+template <class F>
+Texels<F> fetch(const traces::Texture& texture, F u, F v) {
+  const SrgbIn<F>& tables = srgb<F>();
+  const Tap<F> x = tap(u, texture.width, texture.wrap_u), y = tap(v, texture.height, texture.wrap_v);
   return {texel(texture, x.first, y.first, tables),
           texel(texture, x.second, y.first, tables),
           texel(texture, x.first, y.second, tables),
@@ -44,5 +48,10 @@ Texels fetch(const traces::Texture& texture, const Vec2& uv) {
           x.weight,
           y.weight};
 }
+
+template Tap<float> tap(float, std::uint32_t, traces::Wrap);
+template Tap<double> tap(double, std::uint32_t, traces::Wrap);
+template Texels<float> fetch(const traces::Texture&, float, float);
+template Texels<double> fetch(const traces::Texture&, double, double);
 
 }  // namespace artu::ref

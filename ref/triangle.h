@@ -21,10 +21,12 @@ inline Box triangle_box(const Triangle& triangle) {
           {max(max(v[0], v[3]), v[6]), max(max(v[1], v[4]), v[7]), max(max(v[2], v[5]), v[8])}};
 }
 
-/// What section 5 needs of a hit: `t` in units of the ray's direction, U and V against det.
-struct TriangleHit {
-  float t, u, v, det;
+/// What section 5 needs of a hit: `t` in units of the ray's direction, U and V against det.  F is float or double.
+template <class F>
+struct TriangleHitIn {
+  F t, u, v, det;
 };
+using TriangleHit = TriangleHitIn<float>;
 
 /// Whether the ray hits the triangle within [0, ray.tmax], in numbers of type N; both sides count.
 /// `interval(ray, box)` is the box test of the box format, which may be another one.
@@ -63,13 +65,16 @@ inline bool intersect_in(const Ray& ray, const Triangle& triangle, const BoxTest
 }
 
 /// The winner so far.
-struct Hit {
+template <class F>
+struct HitIn {
   std::int64_t id = -1;  // global primitive id, -1: none
-  TriangleHit at{};
+  TriangleHitIn<F> at{};
 };
+using Hit = HitIn<float>;
 
 /// Takes a hit into `best`: smaller t, then smaller id.
-inline bool improve(Hit& best, std::int64_t id, const TriangleHit& hit) {
+template <class F>
+bool improve(HitIn<F>& best, std::int64_t id, const TriangleHitIn<F>& hit) {
   if (best.id >= 0 && !(hit.t < best.at.t || (hit.t == best.at.t && id < best.id))) return false;
   best = {id, hit};
   return true;

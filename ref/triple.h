@@ -1,4 +1,5 @@
-// Three numbers of any format: colours and what else shading computes (docs/arithmetic.md section 7).
+// Three numbers of any format: colours and what else shading computes (docs/arithmetic.md section 7), and the points
+// and directions of binary64.
 #pragma once
 
 #include "ref/number.h"
@@ -18,6 +19,7 @@ struct Triple {
 
   friend Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Triple operator-(const Triple& a) { return {-a.x, -a.y, -a.z}; }
   friend Triple operator*(const Triple& a, const Triple& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
   friend Triple operator*(const Triple& a, N s) { return {a.x * s, a.y * s, a.z * s}; }
   friend N dot(const Triple& a, const Triple& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
@@ -28,7 +30,30 @@ struct Triple {
     return v * (N(1) / sqrt(l));
   }
   friend N largest(const Triple& v) { return max(max(v.x, v.y), v.z); }
+  friend N largest_magnitude(const Triple& v) {
+    using std::fabs;
+    return largest(Triple(fabs(v.x), fabs(v.y), fabs(v.z)));
+  }
+  friend bool is_zero(const Triple& v) { return v.x == N(0) && v.y == N(0) && v.z == N(0); }
   friend bool any_positive(const Triple& v) { return v.x > N(0) || v.y > N(0) || v.z > N(0); }
 };
+
+/// What rays and points are made of where they are computed in F: the traces' own vectors in binary32.
+template <class F>
+struct Space {
+  using Vector = Triple<F>;
+  struct Uv {
+    F x{}, y{};
+  };
+};
+template <>
+struct Space<float> {
+  using Vector = Vec3;
+  using Uv = Vec2;
+};
+template <class F>
+using Vector = typename Space<F>::Vector;
+template <class F>
+using Uv = typename Space<F>::Uv;
 
 }  // namespace artu::ref

@@ -15,6 +15,8 @@ using traces::Vec3;
 
 inline float min(float a, float b) { return a < b ? a : b; }
 inline float max(float a, float b) { return a > b ? a : b; }
+inline double min(double a, double b) { return a < b ? a : b; }  // of binary64.h; the contract has only float's
+inline double max(double a, double b) { return a > b ? a : b; }
 
 inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }

@@ -18,13 +18,14 @@ constexpr const char* examples = R"(Examples:
   artu run scene.glb -c phone.toml --set core.count=4    another unit
   artu check scene.glb --frames 12                       frame 12 against the golden model
   artu import scene.glb --frames all -o scene.artu       all frames as a trace, to run without the scene
+  artu precision scene.glb --bits 8-12,23                what narrow datapaths cost and save
   artu diff a.png b.png                                  how far two pictures are apart
   artu stress                                            rays that are hard to get right, against every kind of tree
   artu run --list-params                                 what can be configured
 
 Exit codes: 0 fine, 1 mismatch with the golden model, 2 usage or input, 3 dead-lock, 4 internal.)";
 
-void add_source(CLI::App& command, SourceOptions& source, bool scene_only, bool required) {
+void add_source(CLI::App& command, SourceOptions& source, const char* size, bool scene_only, bool required) {
   const char* what = scene_only ? "A scene: .glb, .gltf, .obj or .stage.toml"
                                 : "A scene (.glb, .gltf, .obj, .stage.toml) or a trace of `artu import`";
   auto* path = command.add_option(scene_only ? "SCENE" : "SCENE|TRACE", source.path, what);
@@ -34,7 +35,7 @@ void add_source(CLI::App& command, SourceOptions& source, bool scene_only, bool 
       .add_option("--frames", source.frames, "Frames A to B - 1, or only A, or all; default 0:1, of a trace its first")
       ->option_text("A:B")
       ->group("Input");
-  command.add_option("--size", source.size, "Picture of a scene, 1x1 ... 16384x16384; default 640x360")
+  command.add_option("--size", source.size, fmt::format("Picture of a scene, 1x1 ... 16384x16384; default {}", size))
       ->option_text("WxH")
       ->group("Input");
   command.add_option("--fps", source.fps, "Frames per second of a scene's animation; default 30")
@@ -42,16 +43,21 @@ void add_source(CLI::App& command, SourceOptions& source, bool scene_only, bool 
       ->group("Input");
 }
 
-void add_run_options(CLI::App& command, RunOptions& run) {
-  add_source(command, run.source, false, false);
-  command.add_option("-c,--config", run.config_files, "Configuration, TOML; may be repeated, the last one wins")
+template <class Options>
+void add_configuration(CLI::App& command, Options& options) {
+  command.add_option("-c,--config", options.config_files, "Configuration, TOML; may be repeated, the last one wins")
       ->option_text("FILE")
       ->allow_extra_args(false)
       ->group("Configuration");
-  command.add_option("--set", run.assignments, "Set one parameter, after all files; may be repeated")
+  command.add_option("--set", options.assignments, "Set one parameter, after all files; may be repeated")
       ->option_text("path=value")
       ->allow_extra_args(false)
       ->group("Configuration");
+}
+
+void add_run_options(CLI::App& command, RunOptions& run) {
+  add_source(command, run.source, "640x360", false, false);
+  add_configuration(command, run);
   command.add_flag("--dump-config", run.dump_config, "Print the resolved configuration as TOML and end")
       ->group("Configuration");
   command.add_flag("--list-params", run.list_params, "Print all parameters with default, unit and range, and end")
@@ -124,7 +130,7 @@ void add_stress_options(CLI::App& command, StressCommandOptions& stress) {
       .add_option_function<std::string>(
           "--bits", [&stress](const std::string& list) { stress.formats = parse_formats(list); },
           "Stored fraction bits of box and triangle test, each set a campaign of its own: 23 (default), 7-23, 10,15 or "
-          "BOX/TRIANGLE")
+          "BOX/TRIANGLE (shading plays no part)")
       ->option_text("LIST")
       ->group("Campaign");
   command.add_flag("--leaks", stress.stress.leaks_only, "Closed meshes alone, from inside through vertices and edges")
@@ -134,6 +140,27 @@ void add_stress_options(CLI::App& command, StressCommandOptions& stress) {
   command.add_flag("--force", stress.force, "Replace an existing FILE")->group("Output");
   command.add_flag("--quiet", stress.quiet, "No table and no progress bar; a failure is still reported")
       ->group("Output");
+}
+
+void add_precision_options(CLI::App& command, PrecisionOptions& precision) {
+  add_source(command, precision.source, "320x180", false, true);
+  add_configuration(command, precision);
+  command
+      .add_option_function<std::string>(
+          "--bits", [&precision](const std::string& list) { precision.formats = parse_formats(list); },
+          "Stored fraction bits: M of all three datapaths, M-N, BOX/TRIANGLE or BOX/TRIANGLE/SHADING; 23 is always "
+          "among them; default 7-15,17,19,21,23")
+      ->option_text("LIST")
+      ->group("Sweep");
+  command
+      .add_option_function<std::string>(
+          "--trees", [&precision](const std::string& list) { precision.trees = parse_trees(list); },
+          "Trees of both classes of geometry; default bvh2,bvh4,bvh8,kd")
+      ->option_text("LIST")
+      ->group("Sweep");
+  command.add_option("-o,--output", precision.output, "Folder of the report")->option_text("DIR")->group("Output");
+  command.add_flag("--force", precision.force, "Replace an earlier run's folder")->group("Output");
+  command.add_flag("--quiet", precision.quiet, "No table, no notes, no progress bar")->group("Output");
 }
 
 /// One line, without the full stop.
@@ -148,9 +175,9 @@ void refuse_unknown_command(const CLI::App& app, int argc, const char* const* ar
   if (argc < 2 || argv[1][0] == '-') return;
   const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(is_named).empty()) return;
-  throw InputError(
-      "command line",
-      fmt::format("unknown command \"{}\"; run, check, import, diff or stress would be right", one_line(argv[1])));
+  throw InputError("command line",
+                   fmt::format("unknown command \"{}\"; run, check, import, precision, diff or stress would be right",
+                               one_line(argv[1])));
 }
 
 int parse_and_run(int argc, const char* const* argv) {
@@ -180,11 +207,21 @@ int parse_and_run(int argc, const char* const* argv) {
   });
 
   command = app.add_subcommand("import", "Turn frames of a scene into a trace");
-  add_source(*command, import.source, true, true);
+  add_source(*command, import.source, "640x360", true, true);
   command->add_option("-o,--output", import.output, "The trace")->option_text("FILE")->required()->group("Output");
   command->add_flag("--force", import.force, "Replace an existing FILE")->group("Output");
   command->add_flag("--quiet", import.quiet, "No summary, no notes, no progress bar")->group("Output");
   command->callback([&] { chosen = [&] { return import_command(import); }; });
+
+  PrecisionOptions precision;
+  command =
+      app.add_subcommand("precision",
+                         "Simulate frames with datapaths of every width and with every kind of tree: cycles, node "
+                         "visits, and how far the picture is from 23 bits' and from one in binary64.  Widths and "
+                         "trees of the configuration do not count.  A frame of the sample stage takes one to "
+                         "two minutes with the defaults");
+  add_precision_options(*command, precision);
+  command->callback([&] { chosen = [&] { return precision_command(precision); }; });
 
   command = app.add_subcommand("diff",
                                "How far two PNG pictures are apart: PSNR, SSIM, largest difference, share of "
@@ -201,6 +238,7 @@ int parse_and_run(int argc, const char* const* argv) {
   command->callback([&] { chosen = [&] { return stress_command(stress); }; });
 
   run.command.assign(argv, argv + argc);
+  precision.command = run.command;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -28,6 +28,16 @@ struct RunOptions {
   std::vector<std::string> command;  // the words of the command line
 };
 
+struct PrecisionOptions {
+  SourceOptions source;  // a scene without a size is 320x180
+  std::vector<std::string> config_files, assignments;
+  std::vector<hw::PrecisionConfig> formats;  // none: those of `precision_command`
+  std::vector<hw::TreeKind> trees;           // none: all
+  std::string output;                        // "" = none given
+  bool force = false, quiet = false;
+  std::vector<std::string> command;  // the words of the command line
+};
+
 struct ImportOptionsOfCommand {
   SourceOptions source;
   std::string output;

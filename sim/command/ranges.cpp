@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <utility>
 
+#include "sim/report/names.h"
 #include "traces/error.h"
 
 namespace artu::sim {
@@ -17,6 +20,17 @@ std::optional<Number> parse_number(const std::string& text) {
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || stop != end) return std::nullopt;
   return value;
+}
+
+/// At least one item; "a,,b" has an empty one.
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> items;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, at), text.size());
+    items.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return items;
 }
 
 }  // namespace
@@ -93,32 +107,41 @@ hw::LogRule parse_log_rule(const std::string& text) {
 }
 
 std::vector<hw::PrecisionConfig> parse_formats(const std::string& text) {
-  const auto width = [](const std::string& word) -> std::optional<std::uint32_t> {
-    const auto bits = parse_number<std::uint32_t>(word);
-    return bits && *bits >= 7 && *bits <= 23 ? bits : std::nullopt;
-  };
   std::vector<hw::PrecisionConfig> formats;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(',', at), text.size());
-    const std::string item = text.substr(at, end - at);
-    const std::size_t cut = item.find_first_of("-/");
-    const auto first = width(item.substr(0, cut));
-    const auto second = cut == std::string::npos ? first : width(item.substr(cut + 1));
-    const bool range = cut != std::string::npos && item[cut] == '-';
-    if (!first || !second || (range && *first > *second)) {
-      throw InputError("--bits",
-                       fmt::format("\"{}\" is no width; M, M-N or BOX/TRIANGLE with 7 to 23 bits each, such as "
-                                   "7-23 or 10/23, would be right",
-                                   item));
+  for (const std::string& item : split(text, ',')) {
+    const std::vector<std::string> range = split(item, '-'), parts = split(item, '/');
+    std::vector<std::uint32_t> bits;
+    for (const std::string& part : range.size() > 1 ? range : parts) {
+      const auto m = parse_number<std::uint32_t>(part);
+      if (m && *m >= 7 && *m <= 23) bits.push_back(*m);
     }
-    if (range) {
-      for (std::uint32_t m = *first; m <= *second; ++m) formats.push_back({m, m, 23});
+    if (range.size() == 2 && bits.size() == 2 && bits[0] <= bits[1]) {
+      for (std::uint32_t m = bits[0]; m <= bits[1]; ++m) formats.push_back({m, m, m});
+    } else if (range.size() == 1 && bits.size() == parts.size() && bits.size() <= 3) {
+      const bool same = bits.size() == 1;
+      formats.push_back({bits[0], same ? bits[0] : bits[1], same ? bits[0] : bits.size() == 3 ? bits[2] : 23});
     } else {
-      formats.push_back({*first, *second, 23});
+      throw InputError("--bits", fmt::format("\"{}\" is no width; M, M-N or BOX/TRIANGLE[/SHADING] with 7 to 23 bits "
+                                             "each, such as 7-23, 10/23 or 12/15/10, would be right",
+                                             item));
     }
-    at = end + 1;
   }
   return formats;
+}
+
+std::vector<hw::TreeKind> parse_trees(const std::string& text) {
+  std::vector<hw::TreeKind> trees;
+  for (const std::string& item : split(text, ',')) {
+    const auto* known = std::find_if(std::begin(all_trees), std::end(all_trees),
+                                     [&](hw::TreeKind kind) { return item == tree_name(kind); });
+    if (known == std::end(all_trees)) {
+      throw InputError("--trees", fmt::format("\"{}\" is no tree; bvh2, bvh4, bvh8 and kd, with commas between them, "
+                                              "would be right",
+                                              item));
+    }
+    trees.push_back(*known);
+  }
+  return trees;
 }
 
 std::uint64_t parse_seed(const std::string& text) {

@@ -1,4 +1,4 @@
-// Options that are more than a word: `--frames`, `--size`, `--seed`, `--inject-fault`, `--log`, `--bits`.
+// Options that are more than a word: `--frames`, `--size`, `--seed`, `--inject-fault`, `--log`, `--bits`, `--trees`.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +33,12 @@ hw::Fault parse_fault(const std::string& text);
 /// "BLOCK=LEVEL", as in `--log core0.traversal=debug`.  Throws InputError; whether there is such a block shows later.
 hw::LogRule parse_log_rule(const std::string& text);
 
-/// Items between commas: M, M-N (all widths from M to N), or BOX/TRIANGLE, each 7 ... 23.  Throws InputError.
+/// Items between commas: M (of all three datapaths), M-N (all widths from M to N), BOX/TRIANGLE (shading 23), or
+/// BOX/TRIANGLE/SHADING, each 7 ... 23.  Throws InputError.
 std::vector<hw::PrecisionConfig> parse_formats(const std::string& text);
+
+/// Names of trees between commas: bvh2, bvh4, bvh8, kd.  Throws InputError.
+std::vector<hw::TreeKind> parse_trees(const std::string& text);
 
 /// 0 ... 2^64 - 1.  Throws InputError.
 std::uint64_t parse_seed(const std::string& text);

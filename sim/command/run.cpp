@@ -12,21 +12,12 @@
 #include "sim/config/configuration.h"
 #include "sim/config/dump.h"
 #include "sim/config/parameter_list.h"
-#include "sim/report/digest.h"
 #include "sim/report/stats_text.h"
 #include "sim/report/summary.h"
 #include "traces/error.h"
 
 namespace artu::sim {
 namespace {
-
-Configuration configuration_of(const RunOptions& options) {
-  Configuration configuration;
-  for (const std::string& file : options.config_files) configuration.load(file);
-  for (const std::string& assignment : options.assignments) configuration.set(assignment);
-  configuration.check();
-  return configuration;
-}
 
 /// Every name that a report has, from a run of one triangle.
 std::string stats_list(const hw::UnitConfig& unit) {
@@ -76,23 +67,6 @@ RunResult run_frames(const FrameSource& source, Simulator& simulator, const ref:
   return result;
 }
 
-Manifest manifest_of(const RunOptions& options, const FrameSource& source) {
-  Manifest manifest;
-  manifest.command = options.command;
-  manifest.version = ARTU_VERSION;
-  manifest.input = options.source.path;
-  manifest.input_sha256 = sha256_of_file(options.source.path);
-  manifest.input_is_trace = source.is_trace();
-  manifest.first_frame = source.range().first;
-  manifest.last_frame = source.range().last;
-  manifest.width = source.scene().width;
-  manifest.height = source.scene().height;
-  manifest.fps = source.scene().fps;
-  manifest.checked = options.check;
-  manifest.simulation = options.simulation;
-  return manifest;
-}
-
 void print_dry_run(const RunOptions& options, const FrameSource& source) {
   const traces::Scene& scene = source.scene();
   fmt::print("{}: {}x{}, frames {}:{}, {} static triangles; fine, nothing was run\n", options.source.path, scene.width,
@@ -102,7 +76,7 @@ void print_dry_run(const RunOptions& options, const FrameSource& source) {
 }  // namespace
 
 int run_command(const RunOptions& options) {
-  const Configuration configuration = configuration_of(options);
+  const Configuration configuration = Configuration::of(options.config_files, options.assignments);
   const hw::UnitConfig& unit = configuration.unit();
   if (print_lists(options, unit)) return exit_fine;
   if (options.source.path.empty()) {
@@ -128,7 +102,10 @@ int run_command(const RunOptions& options) {
   if (options.check) golden = std::make_unique<ref::Golden>(source.scene(), golden_settings(unit));
 
   const RunResult result = run_frames(source, simulator, golden.get(), options.quiet, *report);
-  report->finish(result.sum, unit, manifest_of(options, source), golden ? &result.check : nullptr);
+  Manifest manifest = manifest_of(options.command, options.source.path, source);
+  manifest.checked = options.check;
+  manifest.simulation = options.simulation;
+  report->finish(result.sum, unit, manifest, golden ? &result.check : nullptr);
 
   print_notes(log, options.quiet);
   if (!options.quiet) {

@@ -3,11 +3,27 @@
 #include <fmt/format.h>
 
 #include "sim/config/dump.h"
+#include "sim/report/digest.h"
 #include "sim/report/pictures.h"
 #include "sim/report/pixel_csv.h"
 #include "sim/report/stats_text.h"
 
 namespace artu::sim {
+
+Manifest manifest_of(const std::vector<std::string>& command, const std::string& input, const FrameSource& source) {
+  Manifest manifest;
+  manifest.command = command;
+  manifest.version = ARTU_VERSION;
+  manifest.input = input;
+  manifest.input_sha256 = sha256_of_file(input);
+  manifest.input_is_trace = source.is_trace();
+  manifest.first_frame = source.range().first;
+  manifest.last_frame = source.range().last;
+  manifest.width = source.scene().width;
+  manifest.height = source.scene().height;
+  manifest.fps = source.scene().fps;
+  return manifest;
+}
 
 RunReport::RunReport(const RunOptions& options) {
   if (!options.pixel_csv.empty()) {

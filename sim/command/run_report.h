@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/command/frame_source.h"
 #include "sim/command/options.h"
 #include "sim/compare/frame_compare.h"
 #include "sim/report/file.h"
@@ -13,6 +14,9 @@
 #include "sim/report/stats_json.h"
 
 namespace artu::sim {
+
+/// What was run, apart from how.
+Manifest manifest_of(const std::vector<std::string>& command, const std::string& input, const FrameSource& source);
 
 class RunReport {
  public:

@@ -66,24 +66,25 @@ double ssim_of_channel(const Image& a, const Image& b, unsigned channel) {
 
 }  // namespace
 
+double psnr_of(std::uint64_t squares, std::uint64_t pixels) {
+  if (squares == 0) return std::numeric_limits<double>::infinity();
+  return 10 * std::log10(255.0 * 255.0 * 3 * static_cast<double>(pixels) / static_cast<double>(squares));
+}
+
 ImageDifference compare_images(const Image& a, const Image& b) {
   ImageDifference result;
   result.pixels = std::uint64_t{a.width} * a.height;
-  std::uint64_t squares = 0;
   for (std::size_t i = 0; i < result.pixels; ++i) {
     unsigned of_pixel = 0;
     for (std::size_t c = 3 * i; c < 3 * i + 3; ++c) {
       const auto d = static_cast<unsigned>(std::abs(int{a.rgb[c]} - int{b.rgb[c]}));
-      squares += d * d;
+      result.squares += d * d;
       of_pixel = std::max(of_pixel, d);
     }
     result.differing += of_pixel != 0;
     result.largest = std::max(result.largest, of_pixel);
   }
-  result.psnr =
-      squares == 0
-          ? std::numeric_limits<double>::infinity()
-          : 10 * std::log10(255.0 * 255.0 * 3 * static_cast<double>(result.pixels) / static_cast<double>(squares));
+  result.psnr = psnr_of(result.squares, result.pixels);
   if (a.width < window || a.height < window) {
     result.ssim = std::numeric_limits<double>::quiet_NaN();
   } else {

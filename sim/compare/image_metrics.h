@@ -13,7 +13,11 @@ struct ImageDifference {
   unsigned largest = 0;         // of all channels of all pixels, 0 ... 255
   std::uint64_t differing = 0;  // pixels that differ in a channel
   std::uint64_t pixels = 0;
+  std::uint64_t squares = 0;  // sum of squared differences over all channels
 };
+
+/// In dB with a peak of 255; infinity where `squares` is 0.
+double psnr_of(std::uint64_t squares, std::uint64_t pixels);
 
 /// Both must have one size.
 ///

@@ -68,6 +68,14 @@ toml::table parse_assignment(const std::string& path, const std::string& value) 
 
 }  // namespace
 
+Configuration Configuration::of(const std::vector<std::string>& files, const std::vector<std::string>& assignments) {
+  Configuration configuration;
+  for (const std::string& file : files) configuration.load(file);
+  for (const std::string& assignment : assignments) configuration.set(assignment);
+  configuration.check();
+  return configuration;
+}
+
 void Configuration::load(const std::string& file) {
   const toml::table root = parse(read_file(file), file);
   const PlaceOf place = [&](const toml::node& node) { return fmt::format("{}:{}", file, node.source().begin.line); };

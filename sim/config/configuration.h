@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "hw/unit_config.h"
 
@@ -11,6 +12,9 @@ namespace artu::sim {
 /// Every error is an InputError whose place is FILE:LINE or `--set`.  A failed call changes nothing.
 class Configuration {
  public:
+  /// Files, then assignments, then the check.
+  static Configuration of(const std::vector<std::string>& files, const std::vector<std::string>& assignments);
+
   void load(const std::string& file);       // TOML
   void set(const std::string& assignment);  // "path=value"; the value as in TOML, quotes may be left out
   void check() const;                       // the rules that tie two parameters together

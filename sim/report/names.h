@@ -1,7 +1,8 @@
-// Names of enumerators, as docs/selective-rendering.md has them.
+// Names of enumerators, as docs/selective-rendering.md and docs/trees.md have them.
 #pragma once
 
 #include "hw/pixel_record.h"
+#include "hw/unit_config.h"
 
 namespace artu::sim {
 
@@ -27,6 +28,23 @@ inline const char* decision_name(hw::Decision decision) {
       return "interpolated";
     case hw::Decision::traced:
       return "traced";
+  }
+  return "invalid";
+}
+
+inline constexpr hw::TreeKind all_trees[] = {hw::TreeKind::bvh2, hw::TreeKind::bvh4, hw::TreeKind::bvh8,
+                                             hw::TreeKind::kd};
+
+inline const char* tree_name(hw::TreeKind kind) {
+  switch (kind) {
+    case hw::TreeKind::bvh2:
+      return "bvh2";
+    case hw::TreeKind::bvh4:
+      return "bvh4";
+    case hw::TreeKind::bvh8:
+      return "bvh8";
+    case hw::TreeKind::kd:
+      return "kd";
   }
   return "invalid";
 }

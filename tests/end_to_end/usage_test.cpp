@@ -18,7 +18,7 @@ class UsageTest : public ProgramTest {};
 TEST_F(UsageTest, VersionAndHelpAreFine) {
   EXPECT_THAT(fine({"--version"}).out, ::testing::MatchesRegex("artu [0-9.]+\n"));
   const std::string help = fine({"--help"}).out;
-  for (const char* word : {"run", "check", "import", "diff", "Examples:", "Exit codes:"}) {
+  for (const char* word : {"run", "check", "import", "precision", "diff", "Examples:", "Exit codes:"}) {
     EXPECT_THAT(help, HasSubstr(word));
   }
   EXPECT_THAT(fine({"run", "--help"}).out, HasSubstr("--list-params"));
@@ -28,7 +28,7 @@ TEST_F(UsageTest, EveryOptionIsDocumented) {
   std::ifstream file(std::string(ARTU_SOURCE_DIR) + "/docs/usage.md");
   const std::string usage((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   const std::regex option("--[a-z][a-z-]+");
-  for (const char* command : {"run", "check", "import", "diff"}) {
+  for (const char* command : {"run", "check", "import", "precision", "diff"}) {
     const std::string help = fine({command, "--help"}).out;
     for (std::sregex_iterator found(help.begin(), help.end(), option), end; found != end; ++found) {
       EXPECT_THAT(usage, HasSubstr(found->str())) << "docs/usage.md lacks an option of artu " << command;

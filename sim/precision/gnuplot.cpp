@@ -1,0 +1,47 @@
+#include "sim/precision/gnuplot.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+extern char** environ;
+
+namespace artu::sim {
+
+std::string run_gnuplot(const std::string& folder, const std::string& script) {
+  posix_spawn_file_actions_t files;
+  posix_spawnattr_t attributes;
+  posix_spawn_file_actions_init(&files);
+  posix_spawnattr_init(&attributes);
+  posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    posix_spawn_file_actions_addopen(&files, stream, "/dev/null", O_RDWR, 0);
+  }
+  sigset_t none;  // ours are blocked: a thread waits for them
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+
+  char program[] = "gnuplot";
+  std::string argument = script;
+  char* const words[] = {program, argument.data(), nullptr};
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, program, &files, &attributes, words, environ);
+  posix_spawn_file_actions_destroy(&files);
+  posix_spawnattr_destroy(&attributes);
+  if (error == ENOENT) return "gnuplot is not installed";
+  if (error != 0) return fmt::format("gnuplot does not start: {}", std::strerror(error));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
+  return "gnuplot failed";
+}
+
+}  // namespace artu::sim

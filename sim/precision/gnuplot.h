@@ -1,0 +1,11 @@
+// Runs gnuplot, where it is installed.
+#pragma once
+
+#include <string>
+
+namespace artu::sim {
+
+/// In `folder`, on the file `script` in it.  "" if all went well, else what went wrong.
+std::string run_gnuplot(const std::string& folder, const std::string& script);
+
+}  // namespace artu::sim
