@@ -137,13 +137,21 @@ void DramChannel::time_out(Bank& bank, Cycle now) {
   ++counts_.precharges;
 }
 
-void DramChannel::choose_direction() {
-  const bool before = writing_;
-  if (writing_) {
-    if (writes_.empty() || (writes_.size() <= config_.write_low && !reads_.empty())) writing_ = false;
-  }
-  if (!writing_) {
-    if (writes_.size() >= config_.write_high || (reads_.empty() && !writes_.empty())) writing_ = true;
+/// Whether the oldest of a queue goes before all others.
+bool DramChannel::starves(const std::vector<Request>& queue, Cycle now) const {
+  return !queue.empty() && now >= queue.front().arrived + config_.starvation;
+}
+
+void DramChannel::choose_direction(Cycle now) {
+  const bool before = writing_, read_starves = starves(reads_, now), write_starves = starves(writes_, now);
+  if (reads_.empty() || writes_.empty()) {
+    writing_ = reads_.empty();
+  } else if (read_starves || write_starves) {
+    writing_ = write_starves && !(read_starves && reads_.front().arrived <= writes_.front().arrived);
+  } else if (writes_.size() >= config_.write_high) {
+    writing_ = true;
+  } else if (writes_.size() <= config_.write_low) {
+    writing_ = false;
   }
   if (writing_ != before) ++counts_.turns;
 }
@@ -225,9 +233,9 @@ void DramChannel::column(std::vector<Request>& queue, std::size_t index, bool wr
 Cycle DramChannel::step(Cycle now) {
   if (reads_.empty() && writes_.empty()) return never;
   refresh(now);
-  choose_direction();
+  choose_direction(now);
   std::vector<Request>& queue = writing_ ? writes_ : reads_;
-  const bool starving = now >= queue.front().arrived + config_.starvation;
+  const bool starving = starves(queue, now);
   const std::size_t end = starving ? 1 : queue.size();
   Choice hit, other;
   std::uint64_t seen = 0;  // banks whose oldest request has been looked at
@@ -249,7 +257,10 @@ Cycle DramChannel::step(Cycle now) {
   }
   const Cycle next = std::max(std::min(hit.at, other.at), command_at_);
   Cycle wake = std::min(next, refresh_at_);
-  if (!starving) wake = std::min(wake, queue.front().arrived + config_.starvation);
+  for (const std::vector<Request>* waiting : {&reads_, &writes_}) {
+    if (!waiting->empty() && !starves(*waiting, now))
+      wake = std::min(wake, waiting->front().arrived + config_.starvation);
+  }
   if (next > now) return std::max(wake, now + 1);
   command_at_ = now + config_.t_command;
   if (hit.at <= now) {

@@ -74,7 +74,8 @@ class DramChannel {
   };
 
   void refresh(Cycle now);
-  void choose_direction();
+  bool starves(const std::vector<Request>& queue, Cycle now) const;
+  void choose_direction(Cycle now);
   Cycle column_at(const Request& request, bool write) const;
   Cycle activate_at(const Bank& bank) const;
   void column(std::vector<Request>& queue, std::size_t index, bool write, Cycle now);
