@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/report/names.h"
 #include "sim/stress/campaign.h"
 #include "sim/stress/random.h"
 #include "sim/stress/subjects.h"
@@ -62,7 +63,7 @@ CaseResult run_case(const StressCase& name, std::uint64_t rays, const StressOpti
   const SubjectPointer truth = brute_force(triangles, tests), reference = golden_brute_force(tracer);
   std::vector<SubjectPointer> fast;
   for (const hw::TreeKind kind : {hw::TreeKind::bvh2, hw::TreeKind::bvh4, hw::TreeKind::bvh8, hw::TreeKind::kd}) {
-    fast.push_back(walker(kind_name(kind), lay_down(geometry, kind), tests));
+    fast.push_back(walker(tree_name(kind), lay_down(geometry, kind), tests));
   }
   fast.push_back(golden_traversal(tracer, near, far, golden.narrower_test() < narrow));
   Contest contest;

@@ -131,9 +131,4 @@ SubjectPointer golden_brute_force(std::shared_ptr<const ref::Tracer> tracer) {
   return std::make_unique<GoldenBruteForce>(std::move(tracer));
 }
 
-const char* kind_name(hw::TreeKind kind) {
-  static constexpr const char* names[] = {"bvh2", "bvh4", "bvh8", "kd"};
-  return names[static_cast<std::size_t>(kind)];
-}
-
 }  // namespace artu::sim

@@ -29,6 +29,4 @@ SubjectPointer golden_traversal(std::shared_ptr<const ref::Tracer> near, const r
                                 std::shared_ptr<const ref::Tracer> far, bool far_is_slow = false);
 SubjectPointer golden_brute_force(std::shared_ptr<const ref::Tracer> tracer);
 
-const char* kind_name(hw::TreeKind kind);
-
 }  // namespace artu::sim

@@ -40,7 +40,7 @@ TEST(StressRegressions, EverySubjectAgrees) {
     subjects.push_back(golden_brute_force(tracer));
     subjects.push_back(golden_traversal(tracer));
     for (const hw::TreeKind kind : {hw::TreeKind::bvh2, hw::TreeKind::bvh4, hw::TreeKind::bvh8, hw::TreeKind::kd}) {
-      subjects.push_back(walker(kind_name(kind), lay_down(geometry, kind)));
+      subjects.push_back(walker(tree_name(kind), lay_down(geometry, kind)));
     }
     const SubjectPointer truth = brute_force(triangles);
     const Answer expected = truth->closest(ray);

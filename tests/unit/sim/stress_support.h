@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/report/names.h"
 #include "sim/stress/campaign.h"
 #include "sim/stress/meshes.h"
 #include "sim/stress/subjects.h"
