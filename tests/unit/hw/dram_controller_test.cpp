@@ -3,8 +3,7 @@
 
 #include <set>
 
-#include "hw/memory/dram.h"
-#include "unit/hw/memory_support.h"
+#include "unit/hw/dram_support.h"
 
 namespace artu::hw::test {
 namespace {
@@ -21,32 +20,7 @@ DramConfig config_of(DramPreset preset = DramPreset::lpddr4_3200) {
   return config;
 }
 
-struct Memory {
-  explicit Memory(const DramConfig& config)
-      : config(config), dram(bench.block<Dram>("dram", config)), client(bench, "client", dram, 4096, 1, 1) {
-    dram.bind(client.link);
-  }
-  Address at(std::uint64_t bank, std::uint64_t row, std::uint64_t column = 0) const {
-    return ((row * config.banks + bank) * (config.row_bytes / 64) + column) * 64;
-  }
-  Memory& read(Cycle cycle, Address line, std::uint32_t tag = 0) {
-    client.requests.push_at(cycle - 1, read_of(line, tag));
-    return *this;
-  }
-  Memory& write(Cycle cycle, Address line, std::uint32_t tag = 0) {
-    client.requests.push_at(cycle - 1, write_of(line, whole_line, tag));
-    return *this;
-  }
-  std::vector<Cycle> run(Cycle cycles = 100000) {
-    bench.run(cycles);
-    return client.responses.cycles;
-  }
-  std::uint64_t count(const char* name) { return counter(dram, name); }
-  const DramConfig config;
-  Bench bench;
-  Dram& dram;
-  Client client;
-};
+using Memory = DramBench;
 
 TEST(DramController, AnOpenRowGoesBeforeAnOlderRequestToAnotherRow) {
   Memory m(config_of());

@@ -1,9 +1,7 @@
 // DRAM timing: latencies are sums of the timing parameters, the data bus is the bound of a stream.
-#include "hw/memory/dram.h"
-
 #include <gtest/gtest.h>
 
-#include "unit/hw/memory_support.h"
+#include "unit/hw/dram_support.h"
 
 namespace artu::hw::test {
 namespace {
@@ -20,42 +18,25 @@ DramConfig config_of(std::uint32_t channels = 1, std::uint32_t queue_depth = 16)
   return config;
 }
 
-/// The bench's clock is the DRAM's.  A request pushed in c arrives in c + 1; answers take one clock of channel.
-struct Memory {
-  explicit Memory(const DramConfig& config)
-      : config(config), dram(bench.block<Dram>("dram", config)), client(bench, "client", dram, 64, 1, 1) {
-    dram.bind(client.link);
-  }
-  Address address(std::uint64_t bank, std::uint64_t row, std::uint64_t column, std::uint64_t channel = 0) const {
-    return (((row * config.banks + bank) * (config.row_bytes / 64) + column) * config.channels + channel) * 64;
-  }
-  std::vector<Cycle> run(Cycle cycles = 20000) {
-    bench.run(cycles);
-    return client.responses.cycles;
-  }
-  const DramConfig config;
-  Bench bench;
-  Dram& dram;
-  Client client;
-};
+using Memory = DramBench;
 
 TEST(Dram, AnEmptyBankCostsActivateAndColumn) {
   Memory m(config_of());
-  m.client.requests.push_at(9, read_of(m.address(0, 0, 0)));
+  m.client.requests.push_at(9, read_of(m.at(0, 0, 0)));
   EXPECT_EQ(m.run(), std::vector<Cycle>{10 + 29 + 28 + burst + 1});
   EXPECT_EQ(counter(m.dram, "row_empty"), 1u);
 }
 
 TEST(Dram, AnOpenRowCostsTheColumnOnly) {
   Memory m(config_of());
-  m.client.requests.push_at(9, read_of(m.address(3, 5, 0))).push_at(999, read_of(m.address(3, 5, 31)));
+  m.client.requests.push_at(9, read_of(m.at(3, 5, 0))).push_at(999, read_of(m.at(3, 5, 31)));
   EXPECT_EQ(m.run()[1], 1000 + 28 + burst + 1);
   EXPECT_EQ(counter(m.dram, "row_hits"), 1u);
 }
 
 TEST(Dram, AnotherRowCostsPrechargeActivateAndColumn) {
   Memory m(config_of());
-  m.client.requests.push_at(9, read_of(m.address(3, 5, 0))).push_at(999, read_of(m.address(3, 6, 0)));
+  m.client.requests.push_at(9, read_of(m.at(3, 5, 0))).push_at(999, read_of(m.at(3, 6, 0)));
   EXPECT_EQ(m.run()[1], 1000 + 29 + 29 + 28 + burst + 1);
   EXPECT_EQ(counter(m.dram, "row_misses"), 1u);
 }
@@ -66,21 +47,21 @@ TEST(Dram, EveryParameterCountsOnce) {
   config.t_rp = 900;
   config.t_cl = 800;
   Memory m(config);
-  m.client.requests.push_at(9, read_of(m.address(0, 0, 0))).push_at(19999, read_of(m.address(0, 0, 1)));
-  m.client.requests.push_at(39999, read_of(m.address(0, 1, 0)));
+  m.client.requests.push_at(9, read_of(m.at(0, 0, 0))).push_at(19999, read_of(m.at(0, 0, 1)));
+  m.client.requests.push_at(39999, read_of(m.at(0, 1, 0)));
   EXPECT_EQ(m.run(70000), (std::vector<Cycle>{10 + 100 + 800 + burst + 1, 20000 + 800 + burst + 1,
                                               40000 + 900 + 100 + 800 + burst + 1}));
 }
 
 TEST(Dram, ARowStaysOpenForAtLeastTRas) {
   Memory m(config_of());
-  m.client.requests.push_at(9, read_of(m.address(0, 0, 0))).push_at(10, read_of(m.address(0, 1, 0)));
+  m.client.requests.push_at(9, read_of(m.at(0, 0, 0))).push_at(10, read_of(m.at(0, 1, 0)));
   // Activate in 10; precharge 68 later and not before.
   EXPECT_EQ(m.run()[1], 10 + 68 + 29 + 29 + 28 + burst + 1);
   DramConfig early = config_of();
   early.t_ras = 1;
   Memory e(early);
-  e.client.requests.push_at(9, read_of(e.address(0, 0, 0))).push_at(10, read_of(e.address(0, 1, 0)));
+  e.client.requests.push_at(9, read_of(e.at(0, 0, 0))).push_at(10, read_of(e.at(0, 1, 0)));
   // Then it waits for t_rtp after the last of the first line's two bursts.
   EXPECT_EQ(e.run()[1], 10 + 29 + 8 + 12 + 29 + 29 + 28 + burst + 1);
 }
@@ -133,19 +114,19 @@ TEST(Dram, TheBurstFollowsFromTheBus) {
 
 TEST(Dram, AcceptsNoMoreThanTheQueueHolds) {
   Memory m(config_of(1, 2));
-  for (std::uint32_t i = 0; i < 4; ++i) m.client.requests.push_at(9, read_of(m.address(0, 0, i), i));
+  for (std::uint32_t i = 0; i < 4; ++i) m.client.requests.push_at(9, read_of(m.at(0, 0, i), i));
   // A request leaves the queue with its column command: 39, 55, ...; the next is there in time.
   EXPECT_EQ(m.run(), every(10 + 29 + 28 + burst + 1, 4, burst));
   Memory one(config_of(1, 1));
-  for (std::uint32_t i = 0; i < 20; ++i) one.client.requests.push_at(9, read_of(one.address(i % 2, 0, i), i));
+  for (std::uint32_t i = 0; i < 20; ++i) one.client.requests.push_at(9, read_of(one.at(i % 2, 0, i), i));
   // With one at a time no bank is opened ahead: the second waits for the first one's column command.
   EXPECT_EQ(one.run()[1] - one.run()[0], one.config.t_command + 29u);
 }
 
 TEST(Dram, AnswersComeInTheOrderOfTheirCommandsAndWritesAreAnsweredToo) {
   Memory m(config_of());
-  m.client.requests.push_at(9, read_of(m.address(0, 0, 0), 1)).push_at(10, write_of(m.address(0, 1, 0), whole_line, 2));
-  m.client.requests.push_at(11, read_of(m.address(1, 0, 0), 3));
+  m.client.requests.push_at(9, read_of(m.at(0, 0, 0), 1)).push_at(10, write_of(m.at(0, 1, 0), whole_line, 2));
+  m.client.requests.push_at(11, read_of(m.at(1, 0, 0), 3));
   m.run();
   EXPECT_EQ(m.client.tags(), (std::vector<std::uint32_t>{1, 3, 2})) << "reads go before writes";
   EXPECT_EQ(m.dram.read_bytes(), 128u);
@@ -154,7 +135,7 @@ TEST(Dram, AnswersComeInTheOrderOfTheirCommandsAndWritesAreAnsweredToo) {
 
 TEST(Dram, RowsAreClosedAtTheBeginningOfAFrame) {
   Memory m(config_of());
-  m.client.requests.push_at(9, read_of(m.address(0, 7, 0)));
+  m.client.requests.push_at(9, read_of(m.at(0, 7, 0)));
   const auto first = m.run();
   EXPECT_EQ(m.run(), first);
   EXPECT_EQ(counter(m.dram, "row_empty"), 1u);
