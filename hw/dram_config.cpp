@@ -4,6 +4,8 @@
 
 namespace artu::hw {
 
+DramConfig::DramConfig() { apply(DramPreset::lpddr4_3200, *this); }
+
 void DramConfig::visit(ParameterVisitor& v) {
   v.choice("preset", preset, {"lpddr4-3200", "lpddr4x-4266", "lpddr5-6400"},
            "part whose organisation and timing are taken; parameters given with it or later change single ones");

@@ -13,13 +13,20 @@ enum class DramMapping : std::uint8_t { row_bank_column_channel, row_column_bank
 enum class RowPolicy : std::uint8_t { open, closed, timeout };
 enum class RefreshPolicy : std::uint8_t { none, all_bank, per_bank };
 
-/// Times are in DRAM clocks, of which each carries two transfers.  The defaults are LPDDR4-3200 of 8 Gb a channel.
+/// Times are in DRAM clocks, of which each carries two transfers.
 struct DramConfig {
-  DramPreset preset = DramPreset::lpddr4_3200;
-  std::uint32_t channels = 2, clock_mhz = 1600, bus_bits = 16, burst_length = 16;
-  std::uint32_t banks = 8, bank_groups = 1, row_bytes = 2048;
+  /// LPDDR4-3200.
+  DramConfig();
 
-  // Controller.
+  // The part: `apply` sets all of it.
+  DramPreset preset{};
+  std::uint32_t clock_mhz{}, bus_bits{}, burst_length{}, banks{}, bank_groups{}, row_bytes{};
+  std::uint32_t t_command{}, t_rcd{}, t_rp{}, t_rp_all{}, t_ras{}, t_cl{}, t_cwl{}, t_ccd_l{};
+  std::uint32_t t_rrd{}, t_faw{}, t_rtp{}, t_wr{}, t_wtr_s{}, t_wtr_l{}, t_turn{};
+  std::uint32_t t_refi{}, t_rfc{}, t_rfc_bank{};
+
+  // Channels and controller.
+  std::uint32_t channels = 2;
   std::uint32_t queue_depth = 32, write_queue_depth = 32, write_high = 24, write_low = 8;
   std::uint32_t starvation = 2000;
   DramMapping mapping = DramMapping::row_bank_column_channel;
@@ -27,11 +34,6 @@ struct DramConfig {
   RowPolicy row_policy = RowPolicy::open;
   std::uint32_t row_timeout = 400;
   RefreshPolicy refresh = RefreshPolicy::all_bank;
-
-  // Timing.
-  std::uint32_t t_command = 4, t_rcd = 29, t_rp = 29, t_rp_all = 34, t_ras = 68, t_cl = 28, t_cwl = 14, t_ccd_l = 8;
-  std::uint32_t t_rrd = 16, t_faw = 64, t_rtp = 12, t_wr = 29, t_wtr_s = 16, t_wtr_l = 16, t_turn = 2;
-  std::uint32_t t_refi = 6247, t_rfc = 448, t_rfc_bank = 224;
 
   void visit(ParameterVisitor& v);
 };

@@ -25,8 +25,6 @@ class HitTests {
   /// The first step of a ray: both root boxes.  A root that is `none` is left out.
   void roots(const FrameDescriptor& frame, const Ray& ray, std::uint32_t fault, Steps& out) const;
 
-  float padding() const { return padding_; }
-
  private:
   using BoxTest = Interval (*)(const Ray&, Vector lo, Vector hi, float padding);
   using TriangleTest = bool (*)(const HitTests&, const Ray&, Vector a, Vector b, Vector c, TriangleHit&);

@@ -54,13 +54,19 @@ Cache::Line* Cache::find(Address line) {
   return nullptr;
 }
 
-/// Index in lines_ of a way that holds nothing, or of the one that goes.
-std::size_t Cache::place_for(Address line) const {
-  const std::size_t set = set_of(line), first = set * config_.ways;
+/// A way that holds nothing, or the one that goes.
+Cache::Line& Cache::place_for(Address line) {
+  const std::size_t set = set_of(line);
+  Line* first = &lines_[set * config_.ways];
   for (std::uint32_t way = 0; way < config_.ways; ++way) {
-    if (lines_[first + way].tag == 0) return first + way;
+    if (first[way].tag == 0) return first[way];
   }
-  return first + replacement_.victim(set);
+  return first[replacement_.victim(set)];
+}
+
+void Cache::touch(Address line, const Line* place) {
+  const std::size_t set = set_of(line);
+  replacement_.touch(set, static_cast<std::uint32_t>(place - &lines_[set * config_.ways]));
 }
 
 /// The MSHR of a line, or a free one for line 0; the number of MSHRs if there is none.
@@ -70,8 +76,7 @@ std::size_t Cache::mshr_of(Address line) const {
 
 /// Puts a line in its set; false if the victim is dirty and cannot be written back in this cycle.
 bool Cache::install(Address line, bool dirty) {
-  const std::size_t at = place_for(line);
-  Line& place = lines_[at];
+  Line& place = place_for(line);
   if (place.tag != 0 && place.dirty) {
     if (!below_->request.can_push()) return false;
     below_->request.push({place.tag, whole_line, write_back_tag, 0});
@@ -80,7 +85,7 @@ bool Cache::install(Address line, bool dirty) {
   }
   if (place.tag != 0) replacement_.replaced();
   place = {line, dirty};
-  replacement_.touch(at / config_.ways, static_cast<std::uint32_t>(at % config_.ways));
+  touch(line, &place);
   ++changes_;
   return true;
 }
@@ -174,8 +179,7 @@ bool Cache::serve(std::size_t client, bool& blocked_out) {
       blocked_out = true;
       return false;
     }
-    const auto at = static_cast<std::size_t>(line - lines_.data());
-    replacement_.touch(at / config_.ways, static_cast<std::uint32_t>(at % config_.ways));
+    touch(request.line, line);
     line->dirty |= request.write();
     link.response.push({request.tag, request.source});
     ++hits_;

@@ -76,7 +76,8 @@ class Cache : public Block {
   bool anything_left() const;
   std::size_t set_of(Address line) const;
   Line* find(Address line);
-  std::size_t place_for(Address line) const;
+  Line& place_for(Address line);
+  void touch(Address line, const Line* place);
   bool install(Address line, bool dirty);
   std::size_t mshr_of(Address line) const;
 

@@ -170,7 +170,7 @@ Cycle DramChannel::activate_at(const Bank& bank) const {
   return at;
 }
 
-/// Whether a request of either kind waits for the bank's open row.
+/// Whether a request of the direction that is served waits for the bank's open row.
 bool DramChannel::wanted(const Bank& bank, std::uint32_t index) const {
   const auto waits = [&](const Request& r) { return r.bank == index && r.row == bank.row; };
   const std::vector<Request>& queue = writing_ ? writes_ : reads_;

@@ -10,8 +10,6 @@
 // shading take no more.
 #pragma once
 
-#include <deque>
-
 #include "hw/fabric/memory_port.h"
 #include "hw/frame_registers.h"
 #include "hw/memory/image.h"

@@ -62,7 +62,7 @@ CaseResult run_case(const StressCase& name, std::uint64_t rays, const StressOpti
       std::make_shared<const ref::Tracer>(geometry.fixed, geometry.dynamic, extent_of(source.origins()), golden);
   const SubjectPointer truth = brute_force(triangles, tests), reference = golden_brute_force(tracer);
   std::vector<SubjectPointer> fast;
-  for (const hw::TreeKind kind : {hw::TreeKind::bvh2, hw::TreeKind::bvh4, hw::TreeKind::bvh8, hw::TreeKind::kd}) {
+  for (const hw::TreeKind kind : all_trees) {
     fast.push_back(walker(tree_name(kind), lay_down(geometry, kind), tests));
   }
   fast.push_back(golden_traversal(tracer, near, far, golden.narrower_test() < narrow));

@@ -110,7 +110,7 @@ void walks_equal_brute_force(int count, const hw::PrecisionConfig& precision = {
   const std::vector<Corners> triangles = corners_of(geometry);
   const SubjectPointer truth = brute_force(triangles, tests);
   std::vector<SubjectPointer> walkers;
-  for (const hw::TreeKind kind : {hw::TreeKind::bvh2, hw::TreeKind::kd, hw::TreeKind::bvh4, hw::TreeKind::bvh8}) {
+  for (const hw::TreeKind kind : all_trees) {
     walkers.push_back(walker(tree_name(kind), lay_down(geometry, kind), tests));
   }
   with_rays(soup, count, precision, [&](const hw::Ray& ray) {

@@ -39,7 +39,7 @@ TEST(StressRegressions, EverySubjectAgrees) {
     std::vector<SubjectPointer> subjects;
     subjects.push_back(golden_brute_force(tracer));
     subjects.push_back(golden_traversal(tracer));
-    for (const hw::TreeKind kind : {hw::TreeKind::bvh2, hw::TreeKind::bvh4, hw::TreeKind::bvh8, hw::TreeKind::kd}) {
+    for (const hw::TreeKind kind : all_trees) {
       subjects.push_back(walker(tree_name(kind), lay_down(geometry, kind)));
     }
     const SubjectPointer truth = brute_force(triangles);
