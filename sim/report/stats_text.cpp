@@ -60,7 +60,7 @@ std::string format_stats_list(const Totals& sum, std::uint32_t clock_mhz) {
   std::vector<Number> numbers = all_numbers(sum, clock_mhz, 0);
   // The other cores' counters have the same names.
   const auto repeated = [](const Number& n) {
-    return n.name.rfind("core0.", 0) != 0 && without_core_number(n.name) != n.name;
+    return n.name.rfind("core0.", 0) != 0 && without_number(n.name) != n.name;
   };
   numbers.erase(std::remove_if(numbers.begin(), numbers.end(), repeated), numbers.end());
   std::size_t name = 4, unit = 4;
