@@ -137,6 +137,9 @@ void UnitConfig::visit(ParameterVisitor& v) {
   v.enter("memory", "shared memory system");
   memory.visit(v);
   v.leave();
+  v.enter("energy", "energy of events, for the reports");
+  energy.visit(v);
+  v.leave();
 }
 
 }  // namespace artu::hw

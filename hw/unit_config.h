@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "hw/dram_config.h"
+#include "hw/energy_config.h"
 #include "hw/fabric/parameter.h"
 
 namespace artu::hw {
@@ -114,6 +115,7 @@ struct UnitConfig {
   SelectiveConfig selective;
   TreeBuilderConfig tree_builder;
   MemoryConfig memory;
+  EnergyConfig energy;
   void visit(ParameterVisitor& v);
 };
 

@@ -22,7 +22,7 @@ class RunReport {
  public:
   /// Refuses what exists, before anything slow begins.
   explicit RunReport(const RunOptions& options);
-  void add(const FrameOutcome& outcome, const Totals& frame);
+  void add(const FrameOutcome& outcome, const Totals& frame, const hw::UnitConfig& unit);
   void finish(const Totals& sum, const hw::UnitConfig& unit, const Manifest& manifest, const CheckResult* check);
   /// "" where none was asked for.
   std::string folder() const { return folder_ ? folder_->name() : ""; }
