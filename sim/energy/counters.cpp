@@ -7,7 +7,7 @@
 namespace artu::sim {
 
 Counters::Counters(const hw::Statistics& statistics) {
-  for (const hw::Statistic& s : statistics) sums_[without_core_number(s.block)][s.name] += s.value;
+  for (const hw::Statistic& s : statistics) sums_[without_number(s.block)][s.name] += s.value;
 }
 
 std::uint64_t Counters::of(const std::string& block, const std::string& name) const {

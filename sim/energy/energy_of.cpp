@@ -86,12 +86,11 @@ class Model {
     const hw::DatapathOperations a = op::box_test(unit_.accel.static_kind), b = op::box_test(unit_.accel.dynamic_kind);
     const hw::DatapathOperations box{larger(a.narrow, b.narrow), larger(a.binary32, b.binary32)};
     operate("core.traversal", count("core.traversal", "box_tests"), box, unit_.precision.box);
-    // A step reads the ray and its limit and writes what is next; each child that is met is taken to go through the
-    // stack.
+    // A step reads the ray and its limit and writes what is next; a stack entry is written and read once.
     const std::uint64_t visits = count("core.traversal", "node_visits");
-    const std::uint64_t steps = visits + count("core.traversal", "leaves") + count("core.traversal", "dropped");
+    const std::uint64_t pushes = count("core.traversal", "stack_pushes");
     const std::uint64_t ray_bytes = 3 * sizeof(hw::Vector) + sizeof(float);
-    registers("core.traversal", (visits + rays) * (ray_bytes + sizeof(hw::Step)) + steps * 2 * sizeof(hw::Step));
+    registers("core.traversal", (visits + rays) * (ray_bytes + sizeof(hw::Step)) + pushes * 2 * sizeof(hw::Step));
   }
 
   void intersection() {
@@ -136,7 +135,9 @@ class Model {
     first_level("core.triangle_cache", unit_.core.triangle_cache);
     first_level("core.texture_cache", unit_.core.texture_cache);
     first_level("pixel_cache", unit_.selective.pixel_cache);
-    cache("l2", unit_.memory.l2);
+    hw::CacheConfig bank = unit_.memory.l2;
+    bank.size /= unit_.memory.l2_banks;
+    cache("l2", bank);
   }
 
   void memory() {
