@@ -40,6 +40,7 @@ struct PendingRay {
 
 struct RayContext {
   PixelJob pixel;
+  Cycle since = 0;  // when the pixel was taken
   Vector sum;  // colour so far
 
   // The ray in flight.

@@ -6,6 +6,7 @@ void RayGenerator::reset() {
   free_.clear();
   for (std::size_t slot = contexts_.size(); slot-- > 0;) free_.push_back(static_cast<Slot>(slot));
   rays_.fill(0);
+  context_cycles_ = 0;
   pixel_was_last_ = false;
 }
 
@@ -39,7 +40,7 @@ void RayGenerator::new_pixel(Cycle now) {
   const Slot slot = free_.back();
   free_.pop_back();
   start(slot, jobs_->front());
-  contexts_[slot].arrival = now;
+  contexts_[slot].since = contexts_[slot].arrival = now;
   jobs_->pop();
   ++rays_[static_cast<std::size_t>(RayKind::primary)];
   primary_->push(slot);
@@ -49,8 +50,10 @@ void RayGenerator::new_pixel(Cycle now) {
 Activity RayGenerator::tick(Cycle now) {
   bool moved = false;
   if (freed_->can_pop()) {
-    free_.push_back(freed_->front());
+    const Slot slot = freed_->front();
+    free_.push_back(slot);
     freed_->pop();
+    context_cycles_ += now - contexts_[slot].since;
     moved = true;
   }
   const bool next = next_rays_->can_pop() && others_->can_push();
@@ -74,6 +77,7 @@ void RayGenerator::report(Statistics& out) const {
   for (std::size_t kind = 0; kind < ray_kinds; ++kind) {
     out.push_back({path(), names[kind], rays_[kind], "rays", "rays of this kind that were set up"});
   }
+  out.push_back({path(), "context_cycles", context_cycles_, "cycles", "pixels were in flight, summed over them"});
 }
 
 std::string RayGenerator::describe() const {

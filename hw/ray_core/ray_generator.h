@@ -50,6 +50,7 @@ class RayGenerator : public Block {
   Fifo<Slot>* primary_ = nullptr;
   Fifo<Slot>* others_ = nullptr;
   std::vector<Slot> free_;
+  std::uint64_t context_cycles_ = 0;
   std::array<std::uint64_t, ray_kinds> rays_{};
 };
 

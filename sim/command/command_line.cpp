@@ -19,6 +19,7 @@ constexpr const char* examples = R"(Examples:
   artu check scene.glb --frames 12                       frame 12 against the golden model
   artu import scene.glb --frames all -o scene.artu       all frames as a trace, to run without the scene
   artu precision scene.glb --bits 8-12,23                what narrow datapaths cost and save
+  artu scaling scene.glb --vary core.count=1,2,4,8       what more cores gain, and what limits them
   artu diff a.png b.png                                  how far two pictures are apart
   artu stress                                            rays that are hard to get right, against every kind of tree
   artu run --list-params                                 what can be configured
@@ -163,6 +164,20 @@ void add_precision_options(CLI::App& command, PrecisionOptions& precision) {
   command.add_flag("--quiet", precision.quiet, "No table, no notes, no progress bar")->group("Output");
 }
 
+void add_scaling_options(CLI::App& command, ScalingOptions& scaling) {
+  add_source(command, scaling.source, "640x360", false, true);
+  add_configuration(command, scaling);
+  command
+      .add_option("--vary", scaling.variation,
+                  "Parameter and its values, the first of which the others are held against; default "
+                  "core.count=1,2,4,8,16")
+      ->option_text("PARAMETER=VALUE,...")
+      ->group("Scaling");
+  command.add_option("-o,--output", scaling.output, "Folder of the report")->option_text("DIR")->group("Output");
+  command.add_flag("--force", scaling.force, "Replace an earlier run's folder")->group("Output");
+  command.add_flag("--quiet", scaling.quiet, "No table, no notes, no progress bar")->group("Output");
+}
+
 /// One line, without the full stop.
 std::string one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -175,9 +190,10 @@ void refuse_unknown_command(const CLI::App& app, int argc, const char* const* ar
   if (argc < 2 || argv[1][0] == '-') return;
   const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(is_named).empty()) return;
-  throw InputError("command line",
-                   fmt::format("unknown command \"{}\"; run, check, import, precision, diff or stress would be right",
-                               one_line(argv[1])));
+  throw InputError(
+      "command line",
+      fmt::format("unknown command \"{}\"; run, check, import, precision, scaling, diff or stress would be right",
+                  one_line(argv[1])));
 }
 
 int parse_and_run(int argc, const char* const* argv) {
@@ -223,6 +239,14 @@ int parse_and_run(int argc, const char* const* argv) {
   add_precision_options(*command, precision);
   command->callback([&] { chosen = [&] { return precision_command(precision); }; });
 
+  ScalingOptions scaling;
+  scaling.variation = "core.count=1,2,4,8,16";
+  command = app.add_subcommand("scaling",
+                               "Simulate the same frames with several values of one parameter: cycles, speed-up, and "
+                               "what limits it");
+  add_scaling_options(*command, scaling);
+  command->callback([&] { chosen = [&] { return scaling_command(scaling); }; });
+
   command = app.add_subcommand("diff",
                                "How far two PNG pictures are apart: PSNR, SSIM, largest difference, share of "
                                "pixels; exit code 0 whenever they could be compared");
@@ -238,7 +262,7 @@ int parse_and_run(int argc, const char* const* argv) {
   command->callback([&] { chosen = [&] { return stress_command(stress); }; });
 
   run.command.assign(argv, argv + argc);
-  precision.command = run.command;
+  precision.command = scaling.command = run.command;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -38,6 +38,15 @@ struct PrecisionOptions {
   std::vector<std::string> command;  // the words of the command line
 };
 
+struct ScalingOptions {
+  SourceOptions source;
+  std::vector<std::string> config_files, assignments;
+  std::string variation;  // PARAMETER=VALUE,VALUE...
+  std::string output;     // "" = none given
+  bool force = false, quiet = false;
+  std::vector<std::string> command;  // the words of the command line
+};
+
 struct ImportOptionsOfCommand {
   SourceOptions source;
   std::string output;

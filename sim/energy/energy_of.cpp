@@ -6,9 +6,9 @@
 #include "hw/datapath/shading.h"
 #include "hw/datapath/triangle.h"
 #include "hw/fabric/memory_port.h"
-#include "sim/energy/counters.h"
 #include "sim/energy/energy.h"
 #include "sim/energy/prices.h"
+#include "sim/report/counters.h"
 
 namespace artu::sim {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/energy/counters.h"
+#include "sim/report/counters.h"
 
 #include <stdexcept>
 

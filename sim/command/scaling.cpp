@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+
+#include "sim/command/commands.h"
+#include "sim/command/frame_source.h"
+#include "sim/command/progress.h"
+#include "sim/command/run_report.h"
+#include "sim/config/configuration.h"
+#include "sim/config/dump.h"
+#include "sim/precision/gnuplot.h"
+#include "sim/report/file.h"
+#include "sim/report/run_folder.h"
+#include "sim/scaling/scaling.h"
+
+namespace artu::sim {
+namespace {
+
+std::vector<hw::UnitConfig> units_of(const ScalingOptions& options, const Variation& variation) {
+  std::vector<hw::UnitConfig> units;
+  for (const std::string& value : variation.values) {
+    std::vector<std::string> assignments = options.assignments;
+    assignments.push_back(variation.parameter + "=" + value);
+    units.push_back(Configuration::of(options.config_files, assignments).unit());
+  }
+  return units;
+}
+
+Totals simulate(const FrameSource& source, const hw::UnitConfig& unit, Progress& progress) {
+  Simulator simulator(source.scene(), unit, {});
+  Totals sum;
+  for (std::uint32_t index = source.range().first; index < source.range().last; ++index) {
+    const FrameOutcome outcome = simulator.run(source.frame(index));
+    if (!outcome.violations.empty()) {
+      throw std::logic_error(fmt::format("frame {}: accounting law violated: {}", index, outcome.violations[0]));
+    }
+    add(sum, totals_of(outcome));
+    progress.one_done();
+  }
+  return sum;
+}
+
+/// "" if all went well, else why there is no plot.
+std::string draw(const RunFolder& folder, const Variation& variation, const std::vector<ScalingRow>& rows,
+                 const std::string& title) {
+  write_file(folder.file(scaling_data_file), scaling_data(rows));
+  write_file(folder.file(scaling_script_file), scaling_script(variation, rows, title));
+  const std::string problem = run_gnuplot(folder.partial(), scaling_script_file);
+  if (problem.empty()) return "";
+  std::error_code ignored;
+  for (const char* begun : {"scaling.svg", "scaling.png"}) std::filesystem::remove(folder.file(begun), ignored);
+  return fmt::format("{}; {} is for it", problem, scaling_script_file);
+}
+
+}  // namespace
+
+int scaling_command(const ScalingOptions& options) {
+  std::vector<std::string> log;
+  require_file(options.source.path);
+  const Variation variation = parse_variation(options.variation);
+  const std::vector<hw::UnitConfig> units = units_of(options, variation);
+  RunFolder folder =
+      options.output.empty() ? RunFolder::next_free(options.source.path) : RunFolder(options.output, options.force);
+  const FrameSource source(options.source, log);
+  const std::uint32_t frames = source.range().count();
+
+  std::vector<ScalingRow> rows;
+  {
+    Progress progress(std::uint64_t{frames} * units.size(), "frames", options.quiet);
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      const Totals totals = simulate(source, units[i], progress);
+      rows.push_back(scaling_row(variation.values[i], totals, units[i], i == 0 ? totals.cycles : rows[0].cycles));
+    }
+  }
+  const std::string title =
+      fmt::format("{}, {}x{}, {}", options.source.path, source.scene().width, source.scene().height,
+                  frames == 1 ? fmt::format("frame {}", source.range().first)
+                              : fmt::format("frames {}:{}", source.range().first, source.range().last));
+  write_file(folder.file("scaling.csv"), scaling_csv(variation, rows));
+  write_file(folder.file("config.toml"), dump_config(units[0]));
+  write_file(folder.file("manifest.json"), to_json(manifest_of(options.command, options.source.path, source)));
+  const std::string no_plot = draw(folder, variation, rows, title);
+  folder.commit();
+
+  if (!no_plot.empty()) log.push_back("no plot: " + no_plot);
+  print_notes(log, options.quiet);
+  if (!options.quiet) {
+    fmt::print("{}\n\n{}\n{:<12}{}\n", title, format_scaling(variation, rows, frames), "report", folder.name());
+  }
+  return exit_fine;
+}
+
+}  // namespace artu::sim

@@ -1,0 +1,74 @@
+// `artu scaling` as a user sees it.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "end_to_end/program.h"
+
+namespace artu::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class ScalingTest : public ProgramTest {
+ protected:
+  ScalingTest() { write_scene("tiny.obj"); }
+
+  /// Rows of a CSV file, split at commas.
+  std::vector<std::vector<std::string>> csv(const std::string& file) {
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines(read(file));
+    for (std::string line; std::getline(lines, line);) {
+      rows.emplace_back();
+      std::istringstream cells(line);
+      for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+    }
+    return rows;
+  }
+};
+
+TEST_F(ScalingTest, EveryValueHasTheCyclesOfARunOfItsOwn) {
+  const Finished scaling = fine({"scaling", "tiny.obj", "--size", "32x24", "--vary", "core.count=1,3", "-o", "out"});
+  EXPECT_THAT(scaling.out, HasSubstr("core.count"));
+  EXPECT_THAT(scaling.out, HasSubstr("limited by"));
+  const auto rows = csv("out/scaling.csv");
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0][0], "core.count");
+  for (std::size_t i : {1u, 2u}) {
+    const std::string folder = "run" + std::to_string(i);
+    fine({"run", "tiny.obj", "--size", "32x24", "--set", "core.count=" + rows[i][0], "-o", folder});
+    EXPECT_EQ(rows[i][1], nlohmann::json::parse(read(folder + "/stats.json")).at("totals").at("cycles").dump());
+  }
+  EXPECT_EQ(rows[1][2], "1");
+  EXPECT_DOUBLE_EQ(std::stod(rows[2][2]), std::stod(rows[1][1]) / std::stod(rows[2][1]));
+}
+
+TEST_F(ScalingTest, NoDemandIsMoreThanThereIs) {
+  fine({"scaling", "tiny.obj", "--size", "32x24", "--vary", "core.box_testers=1,2,8", "-o", "out"});
+  const auto rows = csv("out/scaling.csv");
+  ASSERT_EQ(rows.size(), 4u);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    for (std::size_t column = 6; column + 1 < rows[0].size(); ++column) {
+      EXPECT_GE(std::stod(rows[i][column]), 0) << rows[0][column];
+      EXPECT_LE(std::stod(rows[i][column]), 1) << rows[0][column];
+    }
+  }
+}
+
+TEST_F(ScalingTest, BadVariationsAreRefused) {
+  for (const char* bad : {"core.count", "=1,2", "core.count=", "core.count=1,,2", "core.count=1,"}) {
+    const Finished run = artu({"scaling", "tiny.obj", "--vary", bad, "-o", "out"});
+    EXPECT_EQ(run.code, 2) << bad;
+    EXPECT_THAT(run.err, HasSubstr("core.count=1,2,4 would be right")) << bad;
+  }
+  const Finished unknown = artu({"scaling", "tiny.obj", "--vary", "core.cuont=1,2", "-o", "out"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("did you mean core.count?"));
+  const Finished range = artu({"scaling", "tiny.obj", "--vary", "core.count=1,65", "-o", "out"});
+  EXPECT_EQ(range.code, 2);
+  EXPECT_THAT(content(), ::testing::ElementsAre("tiny.obj"));
+}
+
+}  // namespace
+}  // namespace artu::test
