@@ -45,6 +45,7 @@ bool Dram::accept(Cycle now) {
   const MemoryRequest& request = link_->request.front();
   const DramPlace place = place_of_line(config_, request.line / line_bytes);
   channels_[place.channel].accept(request, place, now);
+  if (observer_) observer_(now, request);
   step_at_[place.channel] = now;
   (request.write() ? write_bytes_ : read_bytes_) += line_bytes;
   link_->request.pop();

@@ -9,6 +9,7 @@
 // Not modelled: power-down, temperature-dependent refresh, command and data training.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "hw/fabric/memory_port.h"
@@ -18,12 +19,17 @@
 
 namespace artu::hw {
 
+/// Told of each request in the DRAM clock in which the DRAM takes it.  No part of the chip; must not throw.
+using MemoryObserver = std::function<void(Cycle, const MemoryRequest&)>;
+
 class Dram : public Block {
  public:
   Dram(sc_core::sc_module_name name, ClockDomain& domain, const DramConfig& config);
   void bind(MemoryLink& link) { link_ = &link; }
   /// Fault injection: the answer with this number, from 0, is lost.
   void lose(std::uint64_t answer) { lost_ = answer; }
+  /// None: {}.
+  void observe(MemoryObserver observer) { observer_ = std::move(observer); }
 
   void reset() override;
   void report(Statistics& out) const override;
@@ -40,6 +46,7 @@ class Dram : public Block {
 
   const DramConfig config_;
   MemoryLink* link_ = nullptr;
+  MemoryObserver observer_;
   std::vector<DramChannel> channels_;
   std::vector<Cycle> step_at_;  // by channel
   RoundRobin arbiter_;

@@ -49,7 +49,7 @@ void report_violations(const FrameOutcome& outcome) {
 
 /// One frame at a time: memory does not grow with their number.
 RunResult run_frames(const FrameSource& source, Simulator& simulator, const ref::Golden* golden, bool quiet,
-                     RunReport& report) {
+                     const hw::UnitConfig& unit, RunReport& report) {
   RunResult result;
   const FrameRange range = source.range();
   Progress progress(range.count(), "frames", quiet);
@@ -58,7 +58,7 @@ RunResult run_frames(const FrameSource& source, Simulator& simulator, const ref:
     const FrameOutcome outcome = simulator.run(frame);
     if (golden) compare_frame(golden->render(frame), outcome, result.check);
     const Totals totals = totals_of(outcome);
-    report.add(outcome, totals);
+    report.add(outcome, totals, unit);
     add(result.sum, totals);
     report_violations(outcome);
     result.lawful = result.lawful && outcome.violations.empty();
@@ -92,6 +92,7 @@ int run_command(const RunOptions& options) {
   const FrameSource source(options.source, log);
   SimulationOptions simulation = options.simulation;
   simulation.log_sink = [](const std::string& line) { fmt::print(stderr, "log: {}\n", line); };
+  if (report) simulation.memory_observer = report->memory_observer();
   Simulator simulator(source.scene(), unit, simulation);
   if (options.dry_run) {
     print_notes(log, options.quiet);
@@ -101,7 +102,7 @@ int run_command(const RunOptions& options) {
   std::unique_ptr<ref::Golden> golden;
   if (options.check) golden = std::make_unique<ref::Golden>(source.scene(), golden_settings(unit));
 
-  const RunResult result = run_frames(source, simulator, golden.get(), options.quiet, *report);
+  const RunResult result = run_frames(source, simulator, golden.get(), options.quiet, unit, *report);
   Manifest manifest = manifest_of(options.command, options.source.path, source);
   manifest.checked = options.check;
   manifest.simulation = options.simulation;

@@ -44,7 +44,9 @@ struct Simulator::Impl {
       : scene(scene),
         config(config),
         builder(scene, config.accel, image),
-        unit("unit", config, mode_of(options), image, options.fault) {}
+        unit("unit", config, mode_of(options), image, options.fault) {
+    unit.dram.observe(options.memory_observer);
+  }
 
   /// A rule of the log that fits no block is a mistake of whoever wrote it.
   void check_log(const std::vector<hw::LogRule>& rules) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hw/fabric/statistics.h"
+#include "hw/memory/dram.h"
 #include "hw/pixel_record.h"
 #include "hw/run_mode.h"
 #include "hw/unit_config.h"
@@ -17,13 +18,14 @@ namespace artu::sim {
 
 /// How the model is run; only `fault` changes a pixel, only `random_stall` and `fault` change cycles.
 struct SimulationOptions {
-  bool clocked = false;          // tick every block in every cycle, not only those that are awake
-  bool random_stall = false;     // random extra latency on every channel
-  bool shuffle_ticks = false;    // random order of blocks within each cycle
-  std::uint64_t seed = 1;        // of the two above
-  std::vector<hw::LogRule> log;  // which blocks write to the log
-  hw::LogSink log_sink;          // where to; needed where there is a rule
-  hw::Fault fault;               // a datapath's result is falsified, to show that a check sees it
+  bool clocked = false;                // tick every block in every cycle, not only those that are awake
+  bool random_stall = false;           // random extra latency on every channel
+  bool shuffle_ticks = false;          // random order of blocks within each cycle
+  std::uint64_t seed = 1;              // of the two above
+  std::vector<hw::LogRule> log;        // which blocks write to the log
+  hw::LogSink log_sink;                // where to; needed where there is a rule
+  hw::Fault fault;                     // a datapath's result is falsified, to show that a check sees it
+  hw::MemoryObserver memory_observer;  // told of every request that reaches the DRAM
 };
 
 /// One frame as the unit rendered it.
