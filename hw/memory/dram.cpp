@@ -5,7 +5,7 @@
 namespace artu::hw {
 
 Dram::Dram(sc_core::sc_module_name name, ClockDomain& domain, const DramConfig& config)
-    : Block(name, domain),
+    : MainMemory(name, domain),
       config_(config),
       channels_(config.channels, DramChannel(config)),
       step_at_(config.channels, never) {}

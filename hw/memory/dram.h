@@ -15,6 +15,7 @@
 #include "hw/fabric/memory_port.h"
 #include "hw/fabric/round_robin.h"
 #include "hw/memory/dram_channel.h"
+#include "hw/memory/main_memory.h"
 #include "hw/unit_config.h"
 
 namespace artu::hw {
@@ -22,10 +23,10 @@ namespace artu::hw {
 /// Told of each request in the DRAM clock in which the DRAM takes it.  No part of the chip; must not throw.
 using MemoryObserver = std::function<void(Cycle, const MemoryRequest&)>;
 
-class Dram : public Block {
+class Dram : public MainMemory {
  public:
   Dram(sc_core::sc_module_name name, ClockDomain& domain, const DramConfig& config);
-  void bind(MemoryLink& link) { link_ = &link; }
+  void bind(MemoryLink& link) override { link_ = &link; }
   /// Fault injection: the answer with this number, from 0, is lost.
   void lose(std::uint64_t answer) { lost_ = answer; }
   /// None: {}.
@@ -35,8 +36,8 @@ class Dram : public Block {
   void report(Statistics& out) const override;
   std::string describe() const override;
 
-  std::uint64_t read_bytes() const { return read_bytes_; }
-  std::uint64_t write_bytes() const { return write_bytes_; }
+  std::uint64_t read_bytes() const override { return read_bytes_; }
+  std::uint64_t write_bytes() const override { return write_bytes_; }
 
  private:
   Activity tick(Cycle now) override;

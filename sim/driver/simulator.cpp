@@ -45,7 +45,7 @@ struct Simulator::Impl {
         config(config),
         builder(scene, config.accel, image),
         unit("unit", config, mode_of(options), image, options.fault) {
-    unit.dram.observe(options.memory_observer);
+    dynamic_cast<hw::Dram&>(unit.dram).observe(options.memory_observer);
   }
 
   /// A rule of the log that fits no block is a mistake of whoever wrote it.
