@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hw/fabric/statistics.h"
-#include "hw/memory/dram.h"
-#include "hw/pixel_record.h"
+#include "hw/ray_tracing_unit.h"
 #include "hw/run_mode.h"
 #include "hw/unit_config.h"
 #include "traces/frame.h"
@@ -42,6 +40,9 @@ struct FrameOutcome {
   std::vector<std::string> violations;  // accounting laws that do not hold: must be empty
   double simulation_seconds = 0;        // the unit alone; loading and tree builds are not in it
 };
+
+/// What the host takes from the unit's result; without pixels and wall time.
+FrameOutcome outcome_of(const traces::Scene& scene, const traces::Frame& frame, hw::FrameResult result);
 
 /// The watchdog found that no token moves; what() is the picture of who waits for whom.  Exit code 3.
 class DeadLock : public std::runtime_error {
