@@ -7,6 +7,7 @@ namespace artu::hw {
 void ControlUnit::reset() {
   step_ = Step::fetch;
   pass_ = 0;
+  banks_flushed_ = 0;
   issued_ = answered_ = 0;
   lines_ = sizeof(FrameDescriptor) / line_bytes;
   finished_at_ = never;
@@ -83,7 +84,7 @@ void ControlUnit::begin_pass(std::uint8_t pass, Cycle now) {
   if (pass > 2) {
     step_ = Step::flush;
     enter(phase_flush, now);
-    ports_.flush->push({});
+    for (Fifo<CacheCommand>* bank : ports_.flush) bank->push({});
     return;
   }
   step_ = Step::pass;
@@ -92,6 +93,16 @@ void ControlUnit::begin_pass(std::uint8_t pass, Cycle now) {
   ports_.pass->push({pixels_of(pass)});
   const auto stride = static_cast<std::uint8_t>(selective_.enabled ? 2 : 1);
   (pass == 0 ? ports_.first : ports_.extract)->push({pass, stride});
+}
+
+/// Whether all banks have answered.
+bool ControlUnit::collect_flushed() {
+  for (Fifo<CacheCommand>* bank : ports_.flushed) {
+    if (!bank->can_pop()) continue;
+    bank->pop();
+    ++banks_flushed_;
+  }
+  return banks_flushed_ == ports_.flushed.size();
 }
 
 Activity ControlUnit::tick(Cycle now) {
@@ -123,8 +134,7 @@ Activity ControlUnit::tick(Cycle now) {
       begin_pass(static_cast<std::uint8_t>(pass_ + 1), now);
       return {State::busy, now + 1};
     case Step::flush:
-      if (!ports_.flushed->can_pop()) return {State::stall_mem};
-      ports_.flushed->pop();
+      if (!collect_flushed()) return {State::stall_mem};
       enter(phase_flush, now);
       finished_at_ = now;
       step_ = Step::finished;

@@ -31,8 +31,7 @@ class ControlUnit : public Block {
     Fifo<PassCommand>* extract;
     Fifo<PassSize>* pass;
     Fifo<PassSize>* written;
-    Fifo<CacheCommand>* flush;
-    Fifo<CacheCommand>* flushed;
+    std::vector<Fifo<CacheCommand>*> flush, flushed;  // of the L2's banks
   };
   void bind(const Ports& ports) { ports_ = ports; }
   /// Blocks that are told of a change of phase.
@@ -51,6 +50,7 @@ class ControlUnit : public Block {
   enum class Step : std::uint8_t { fetch, build, pass, flush, finished };
   Activity tick(Cycle now) override;
   bool fetch();
+  bool collect_flushed();
   void enter(Phase phase, Cycle now);
   void begin_pass(std::uint8_t pass, Cycle now);
   std::uint64_t pixels_of(std::uint8_t pass) const;
@@ -63,6 +63,7 @@ class ControlUnit : public Block {
   std::vector<Block*> listeners_;
   Address descriptor_ = 0;
   Step step_ = Step::fetch;
+  std::size_t banks_flushed_ = 0;
   std::uint8_t pass_ = 0;
   std::uint64_t lines_ = 0, issued_ = 0, answered_ = 0;
   Cycle finished_at_ = never, phase_began_ = 0;

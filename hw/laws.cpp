@@ -54,9 +54,14 @@ void RayTracingUnit::check_laws(FrameResult& result, const PixelRecords* records
   laws.equal("candidates", pixels - sampled, "interpolated + traced",
              render_executor.interpolated() + render_executor.traced());
   laws.equal("primary rays", primary, "sampled + traced pixels", sampled + render_executor.traced());
-  laws.equal("bytes read from DRAM", dram.read_bytes(), "lines filled into the L2, in bytes", l2.fills() * line_bytes);
+  std::uint64_t fills = 0, write_backs = 0;
+  for (const auto& bank : l2) {
+    fills += bank->fills();
+    write_backs += bank->write_backs();
+  }
+  laws.equal("bytes read from DRAM", dram.read_bytes(), "lines filled into the L2, in bytes", fills * line_bytes);
   laws.equal("bytes written to DRAM", dram.write_bytes(), "lines written back by the L2, in bytes",
-             l2.write_backs() * line_bytes);
+             write_backs * line_bytes);
   if (records != nullptr) {
     std::uint64_t once = 0;
     for (const PixelRecord& record : *records) once += record.written == 1;

@@ -5,8 +5,15 @@
 namespace artu::hw {
 
 namespace {
-constexpr std::uint32_t frame_writer_entries = 16;
 constexpr std::uint32_t job_depth = 8;
+
+/// A bank's share.
+CacheConfig bank_of(const MemoryConfig& memory) {
+  CacheConfig bank = memory.l2;
+  bank.size /= memory.l2_banks;
+  bank.mshrs /= memory.l2_banks;
+  return bank;
+}
 
 Tick period_of(std::uint32_t own_mhz, std::uint32_t other_mhz) { return other_mhz / std::gcd(own_mhz, other_mhz); }
 }  // namespace
@@ -23,27 +30,25 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
       clock("clock", timeline_, unit_period_, tick_seconds_),
       dram_clock("dram_clock", timeline_, dram_period_, tick_seconds_),
       control_unit("control_unit", clock, config.selective, config.shading, registers_, image),
-      first_rendering_unit("first_rendering_unit", clock, config.selective, registers_),
+      first_rendering_unit("first_rendering_unit", clock, config.selective, registers_, config.core.pixel_order),
       pixel_cache("pixel_cache", clock, config.selective.pixel_cache),
       candidate_pixel_extractor("candidate_pixel_extractor", clock, config.selective, registers_, image, pixel_cache),
       collision_counter("collision_counter", clock),
       threshold_adjuster("threshold_adjuster", clock, config.selective),
       render_executor("render_executor", clock, registers_),
-      dispatcher("dispatcher", clock),
-      frame_writer("frame_writer", clock, registers_, image, frame_writer_entries),
+      dispatcher("dispatcher", clock, registers_, config.core.dispatch, config.selective.tile),
+      frame_writer("frame_writer", clock, registers_, image, config.memory.write_combining),
       tree_builder("tree_builder", clock, config.tree_builder, registers_),
       interconnect("interconnect", clock),
-      l2("l2", clock, config.memory.l2),
-      memory(make_memory ? make_memory(dram_clock) : std::make_unique<Dram>("dram", dram_clock, config.memory.dram)),
-      dram(*memory),
+      main_memory(make_memory ? make_memory(dram_clock)
+                              : std::make_unique<Dram>("dram", dram_clock, config.memory.dram)),
+      dram(*main_memory),
       first_command_("first_command", 2),
       extract_command_("extract_command", 2),
       pass_("pass", 2),
       written_("written", 2),
       build_("build", 2),
       built_("built", 2),
-      flush_("flush", 2),
-      flushed_("flushed", 2),
       sampling_jobs_("sampling_jobs", job_depth),
       traced_jobs_("traced_jobs", job_depth),
       extracted_("extracted", 4),
@@ -57,14 +62,14 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
       frame_writes_("frame_writes", 4, config.memory.interconnect_latency, config.memory.interconnect_latency),
       builder_link_("builder", config.tree_builder.outstanding, config.memory.interconnect_latency,
                     config.memory.interconnect_latency),
-      l2_link_("l2", 4, 1, config.memory.l2.hit_latency),
       dram_link_("dram", 2 * config.memory.l2.mshrs, 1, 1) {
   for (std::uint32_t i = 0; i < config.core.count; ++i) {
     const std::string core = "core" + std::to_string(i);
-    cores.push_back(std::make_unique<RayCore>(core.c_str(), clock, config, registers_, image));
+    cores.push_back(std::make_unique<RayCore>(core.c_str(), clock, config, registers_, image, i));
     core_jobs_.push_back(std::make_unique<Fifo<PixelJob>>(core + ".jobs", config.core.queue_depth + 1));
     core_pixels_.push_back(std::make_unique<Fifo<PixelToken>>(core + ".pixels", config.core.queue_depth + 1));
   }
+  make_l2();
   bind_memory();
   bind_selective();
   bind_cores();
@@ -90,6 +95,24 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
 
 RayTracingUnit::~RayTracingUnit() = default;
 
+/// One cache, or with several banks as many, and a crossbar between them and the DRAM.
+void RayTracingUnit::make_l2() {
+  const MemoryConfig& memory = config_.memory;
+  const std::uint32_t count = memory.l2_banks;
+  const CacheConfig share = bank_of(memory);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::string name = count == 1 ? "l2" : "l2_bank" + std::to_string(i);
+    l2.push_back(std::make_unique<Cache>(name.c_str(), clock, share, count));
+    banks_.push_back(std::unique_ptr<Bank>(new Bank{{name, 4, 1, share.hit_latency},
+                                                    {name + "_misses", 2 * share.mshrs, 1, 1},
+                                                    {name + ".flush", 2},
+                                                    {name + ".flushed", 2}}));
+  }
+  if (count > 1) l2_to_dram = std::make_unique<Interconnect>("l2_to_dram", clock);
+}
+
+Block& RayTracingUnit::below_l2() { return l2_to_dram ? static_cast<Block&>(*l2_to_dram) : *l2[0]; }
+
 void RayTracingUnit::bind_memory() {
   pixel_reads_.bind(candidate_pixel_extractor, pixel_cache);
   pixel_cache.add_client(pixel_reads_);
@@ -101,15 +124,33 @@ void RayTracingUnit::bind_memory() {
   for (MemoryLink* link : {&descriptor_reads_, &builder_link_, &frame_writes_, &pixel_misses_}) {
     interconnect.add_master(*link);
   }
-  l2_link_.bind(interconnect, l2);
-  interconnect.bind_below(l2_link_);
-  l2.add_client(l2_link_);
-  dram_link_.bind(l2, dram);
-  l2.bind_below(dram_link_);
-  l2.bind_flush(flush_, flushed_);
+  dram_link_.bind(below_l2(), dram);
   dram.bind(dram_link_);
+  for (std::size_t i = 0; i < l2.size(); ++i) {
+    Bank& bank = *banks_[i];
+    bank.up.bind(interconnect, *l2[i]);
+    interconnect.add_memory(bank.up);
+    l2[i]->add_client(bank.up);
+    bank.flush.bind(control_unit, *l2[i]);
+    bank.flushed.bind(*l2[i], control_unit);
+    l2[i]->bind_flush(bank.flush, bank.flushed);
+    if (l2_to_dram) {
+      bank.down.bind(*l2[i], *l2_to_dram);
+      l2_to_dram->add_master(bank.down);
+    }
+    l2[i]->bind_below(l2_to_dram ? bank.down : dram_link_);
+    for (Channel* channel :
+         std::initializer_list<Channel*>{&bank.up.request, &bank.up.response, &bank.flush, &bank.flushed}) {
+      channels_.push_back(channel);
+    }
+    if (l2_to_dram) channels_.insert(channels_.end(), {&bank.down.request, &bank.down.response});
+  }
+  if (l2_to_dram) {
+    l2_to_dram->add_memory(dram_link_);
+    l2_to_dram->flag_requests();
+  }
   for (MemoryLink* link :
-       {&pixel_reads_, &pixel_misses_, &descriptor_reads_, &frame_writes_, &builder_link_, &l2_link_, &dram_link_}) {
+       {&pixel_reads_, &pixel_misses_, &descriptor_reads_, &frame_writes_, &builder_link_, &dram_link_}) {
     channels_.push_back(&link->request);
     channels_.push_back(&link->response);
   }
@@ -145,7 +186,7 @@ void RayTracingUnit::bind_cores() {
     core_pixels_[i]->bind(core.shading, frame_writer);
     dispatcher.add_core(*core_jobs_[i]);
     frame_writer.add_source(*core_pixels_[i]);
-    core.bind(interconnect, *core_jobs_[i], *core_pixels_[i]);
+    core.bind(interconnect, *core_jobs_[i], *core_pixels_[i], nullptr);
     channels_.push_back(core_jobs_[i].get());
     channels_.push_back(core_pixels_[i].get());
     channels_.insert(channels_.end(), core.channels().begin(), core.channels().end());
@@ -158,13 +199,16 @@ void RayTracingUnit::bind_control() {
   written_.bind(frame_writer, control_unit);
   build_.bind(control_unit, tree_builder);
   built_.bind(tree_builder, control_unit);
-  flush_.bind(control_unit, l2);
-  flushed_.bind(l2, control_unit);
   frame_writer.bind(frame_writes_, pass_, written_);
   tree_builder.bind(builder_link_, build_, built_);
-  control_unit.bind({&descriptor_reads_, &build_, &built_, &first_command_, &extract_command_, &pass_, &written_,
-                     &flush_, &flushed_});
-  for (Channel* channel : std::initializer_list<Channel*>{&pass_, &written_, &build_, &built_, &flush_, &flushed_}) {
+  ControlUnit::Ports ports{&descriptor_reads_, &build_, &built_, &first_command_, &extract_command_, &pass_,
+                           &written_,          {},      {}};
+  for (const auto& bank : banks_) {
+    ports.flush.push_back(&bank->flush);
+    ports.flushed.push_back(&bank->flushed);
+  }
+  control_unit.bind(ports);
+  for (Channel* channel : std::initializer_list<Channel*>{&pass_, &written_, &build_, &built_}) {
     channels_.push_back(channel);
   }
   tree_builder.takes_part_in(phase_build);
@@ -188,7 +232,8 @@ void RayTracingUnit::inject(const Fault& fault) {
     if (fault.datapath == Datapath::triangle) core->intersection.inject(bits);
     if (fault.datapath == Datapath::shading) core->shading.inject(code);
   }
-  if (auto* built_in = dynamic_cast<Dram*>(memory.get()); built_in != nullptr && fault.datapath == Datapath::dram) {
+  if (auto* built_in = dynamic_cast<Dram*>(main_memory.get());
+      built_in != nullptr && fault.datapath == Datapath::dram) {
     built_in->lose(fault.bit);
   }
   if (fault.datapath == Datapath::interpolation) render_executor.inject(code);

@@ -51,6 +51,8 @@ class RayTracingUnit : public sc_core::sc_module {
   std::vector<std::string> block_paths() const;
 
  private:
+  void make_l2();
+  Block& below_l2();
   void bind_memory();
   void bind_selective();
   void bind_cores();
@@ -83,21 +85,26 @@ class RayTracingUnit : public sc_core::sc_module {
   FrameWriter frame_writer;
   TreeBuilder tree_builder;
   Interconnect interconnect;
-  Cache l2;
-  const std::unique_ptr<MainMemory> memory;
+  std::vector<std::unique_ptr<Cache>> l2;    // banks
+  std::unique_ptr<Interconnect> l2_to_dram;  // with several banks
+  const std::unique_ptr<MainMemory> main_memory;
   MainMemory& dram;  // the same; whatever it is, its clock and its place in the reports are the DRAM's
 
  private:
   Fifo<PassCommand> first_command_, extract_command_;
   Fifo<PassSize> pass_, written_;
   Fifo<BuildToken> build_, built_;
-  Fifo<CacheCommand> flush_, flushed_;
   Fifo<PixelJob> sampling_jobs_, traced_jobs_;
   Fifo<Candidate> extracted_, counted_, adjusted_;
   Fifo<PixelToken> interpolated_;
   std::vector<std::unique_ptr<Fifo<PixelJob>>> core_jobs_;
   std::vector<std::unique_ptr<Fifo<PixelToken>>> core_pixels_;
-  MemoryLink pixel_reads_, pixel_misses_, descriptor_reads_, frame_writes_, builder_link_, l2_link_, dram_link_;
+  MemoryLink pixel_reads_, pixel_misses_, descriptor_reads_, frame_writes_, builder_link_, dram_link_;
+  struct Bank {
+    MemoryLink up, down;
+    Fifo<CacheCommand> flush, flushed;
+  };
+  std::vector<std::unique_ptr<Bank>> banks_;
   std::vector<Channel*> channels_;
 };
 

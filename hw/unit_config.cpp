@@ -39,9 +39,20 @@ void visit_cache(ParameterVisitor& v, const char* name, const char* text, CacheC
 void RayCoreConfig::visit(ParameterVisitor& v) {
   v.integer("count", count, {1, 64}, "", "number of ray cores");
   v.integer("contexts", contexts, {1, 256}, "", "pixels in flight in a core, each with one ray at a time");
-  v.integer("stack_entries", stack_entries, {8, 128}, "", "traversal stack of a ray; a deeper tree is refused");
+  v.integer("stack_entries", stack_entries, {1, 128}, "", "traversal stack of a ray, on chip");
+  v.choice("stack_overflow", stack_overflow, {"refuse", "spill", "restart"},
+           "a tree that needs more entries is refused; or the oldest go to memory; or they are forgotten and a restart "
+           "trail finds the way from the roots again");
   v.integer("queue_depth", queue_depth, {1, 256}, "", "entries of the queues between a core's blocks");
   v.integer("box_testers", box_testers, {1, 8}, "", "boxes (of a kd-tree: planes) that a core tests in a cycle");
+  v.integer("node_interval", node_interval, {1, 64}, "cycles", "initiation interval of the box testers, a node");
+  v.integer("triangle_interval", triangle_interval, {1, 64}, "cycles", "initiation interval of the triangle tester");
+  v.choice("ray_order", ray_order, {"secondary-first", "primary-first", "first-come"},
+           "which rays are set up and begin their traversal first");
+  v.choice("pixel_order", pixel_order, {"rows", "morton"},
+           "of the first pass, within a tile: row by row, or along a Morton curve");
+  v.choice("dispatch", dispatch, {"first-come", "tiles"},
+           "pixels go to any core with room in turn, or all of a tile to the same core");
   visit_cache(v, "node_cache", "tree nodes, one a core", node_cache);
   visit_cache(v, "triangle_cache", "triangles and their attributes, one a core", triangle_cache);
   visit_cache(v, "texture_cache", "materials and texels, one a core", texture_cache);
@@ -87,6 +98,9 @@ void TreeBuilderConfig::visit(ParameterVisitor& v) {
 void MemoryConfig::visit(ParameterVisitor& v) {
   v.integer("line", line, {64, 64, true}, "bytes", "cache line");
   v.integer("interconnect_latency", interconnect_latency, {1, 1000}, "cycles", "between a core and the L2, each way");
+  v.integer("write_combining", write_combining, {2, 1024}, "lines", "of finished pixels, held back to be filled up");
+  v.integer("l2_banks", l2_banks, {1, 16, true}, "",
+            "banks of the L2, one request a cycle each; they share size, MSHRs");
   visit_cache(v, "l2", "second-level cache, shared", l2);
   v.enter("dram", "DRAM channels and their controllers");
   dram.visit(v);
@@ -122,6 +136,9 @@ void UnitConfig::visit(ParameterVisitor& v) {
   v.leave();
   v.enter("memory", "shared memory system");
   memory.visit(v);
+  v.leave();
+  v.enter("energy", "energy of events, for the reports");
+  energy.visit(v);
   v.leave();
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "hw/dram_config.h"
+#include "hw/energy_config.h"
 #include "hw/fabric/parameter.h"
 
 namespace artu::hw {
@@ -35,12 +36,23 @@ struct CacheConfig {
   void visit(ParameterVisitor& v);
 };
 
+/// What happens to a stack entry that does not fit on chip any more.
+enum class StackOverflow : std::uint8_t { refuse, spill, restart };
+enum class RayOrder : std::uint8_t { secondary_first, primary_first, first_come };
+enum class PixelOrder : std::uint8_t { rows, morton };
+enum class Dispatch : std::uint8_t { first_come, tiles };
+
 struct RayCoreConfig {
   std::uint32_t count = 6;
   std::uint32_t contexts = 32;  // pixels in flight, one ray each
   std::uint32_t stack_entries = 64;
+  StackOverflow stack_overflow = StackOverflow::refuse;
   std::uint32_t queue_depth = 4;  // between the core's blocks
   std::uint32_t box_testers = 2;  // boxes (or planes) tested in a cycle
+  std::uint32_t node_interval = 1, triangle_interval = 1;
+  RayOrder ray_order = RayOrder::secondary_first;
+  PixelOrder pixel_order = PixelOrder::rows;
+  Dispatch dispatch = Dispatch::first_come;
   CacheConfig node_cache{16384, 4, 2, 8, 8};
   CacheConfig triangle_cache{16384, 4, 2, 8, 8};
   CacheConfig texture_cache{8192, 4, 2, 8, 8};
@@ -78,6 +90,8 @@ struct ShadingConfig {
 struct MemoryConfig {
   std::uint32_t line = 64;                 // bytes
   std::uint32_t interconnect_latency = 4;  // cycles each way between a core and the L2
+  std::uint32_t write_combining = 16;      // lines of finished pixels that are held back
+  std::uint32_t l2_banks = 1;              // `l2` is divided among them, line by line
   CacheConfig l2{262144, 8, 10, 32, 16, true};
   DramConfig dram;
   void visit(ParameterVisitor& v);
@@ -101,6 +115,7 @@ struct UnitConfig {
   SelectiveConfig selective;
   TreeBuilderConfig tree_builder;
   MemoryConfig memory;
+  EnergyConfig energy;
   void visit(ParameterVisitor& v);
 };
 

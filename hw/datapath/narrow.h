@@ -47,7 +47,7 @@ class Narrow {
   explicit Narrow(float x) : value_(rounded(x, M)) {}
   explicit Narrow(double x) : value_(rounded(x, M)) {}
   explicit operator float() const { return value_; }
-  explicit operator double() const { return value_; }
+  explicit operator double() const { return double(value_); }
 
   friend Narrow operator+(Narrow a, Narrow b) { return Narrow(double(a.value_) + double(b.value_)); }
   friend Narrow operator-(Narrow a, Narrow b) { return Narrow(double(a.value_) - double(b.value_)); }

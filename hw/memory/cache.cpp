@@ -9,10 +9,11 @@ constexpr std::uint32_t write_back_tag = 0xffffffffu;
 constexpr std::uint64_t whole_line = ~std::uint64_t{0};
 }  // namespace
 
-Cache::Cache(sc_core::sc_module_name name, ClockDomain& domain, const CacheConfig& config)
+Cache::Cache(sc_core::sc_module_name name, ClockDomain& domain, const CacheConfig& config, std::uint32_t banks)
     : Block(name, domain),
       config_(config),
       sets_(config.size / line_bytes / config.ways),
+      line_shift_(static_cast<unsigned>(__builtin_ctzll(line_bytes * banks))),
       set_shift_(sets_ > 1 ? static_cast<unsigned>(__builtin_ctzll(sets_)) : 1),
       replacement_(config.replacement, sets_, config.ways, config.seed) {
   lines_.resize(sets_ * config.ways);
@@ -42,7 +43,7 @@ void Cache::reset() {
 }
 
 std::size_t Cache::set_of(Address line) const {
-  const std::uint64_t index = line / line_bytes;
+  const std::uint64_t index = line >> line_shift_;
   return (config_.hashed ? index ^ (index >> set_shift_) ^ (index >> (2 * set_shift_)) : index) & (sets_ - 1);
 }
 

@@ -23,8 +23,9 @@ struct CacheCommand {};
 class Cache : public Block {
  public:
   /// No more fills and write-backs are outstanding than `below` has room for responses, so that the memory below can
-  /// always answer; twice `mshrs` is enough not to hold anything up.
-  Cache(sc_core::sc_module_name name, ClockDomain& domain, const CacheConfig& config);
+  /// always answer; twice `mshrs` is enough not to hold anything up.  A bank of several gets every `banks`-th line (a
+  /// power of two); `config` is its own share.
+  Cache(sc_core::sc_module_name name, ClockDomain& domain, const CacheConfig& config, std::uint32_t banks = 1);
 
   /// Ports.
   void add_client(MemoryLink& link) {
@@ -82,8 +83,8 @@ class Cache : public Block {
   std::size_t mshr_of(Address line) const;
 
   const CacheConfig config_;
-  const std::size_t sets_;  // a power of two
-  const unsigned set_shift_;
+  const std::size_t sets_;                 // a power of two
+  const unsigned line_shift_, set_shift_;  // of an address to the number of its line in the bank; of that
   std::vector<MemoryLink*> clients_;
   MemoryLink* below_ = nullptr;
   Fifo<CacheCommand>* flush_ = nullptr;

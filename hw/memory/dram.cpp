@@ -83,9 +83,13 @@ void Dram::report(Statistics& out) const {
     sum.forwarded += c.forwarded;
     sum.activates += c.activates;
     sum.precharges += c.precharges;
+    sum.reads += c.reads;
+    sum.writes += c.writes;
   }
   out.push_back({block, "read_bytes", read_bytes_, "bytes", "read from DRAM, or from a waiting write"});
   out.push_back({block, "write_bytes", write_bytes_, "bytes", "written to DRAM"});
+  out.push_back({block, "reads", sum.reads, "lines", "read in the banks"});
+  out.push_back({block, "writes", sum.writes, "lines", "written in the banks"});
   out.push_back({block, "row_hits", sum.row_hits, "", "accesses to an open row"});
   out.push_back({block, "row_misses", sum.row_misses, "", "accesses to a bank with another row open"});
   out.push_back({block, "row_empty", sum.row_empty, "", "accesses to a bank without an open row"});

@@ -202,6 +202,7 @@ void DramChannel::column(std::vector<Request>& queue, std::size_t index, bool wr
   ++(request.found == Row::open   ? counts_.row_hits
      : request.found == Row::none ? counts_.row_empty
                                   : counts_.row_misses);
+  ++(write ? counts_.writes : counts_.reads);
   Bank& bank = banks_[request.bank];
   const Cycle latency = write ? config_.t_cwl : config_.t_cl, end = now + latency + data_;
   answer(end, request.response);

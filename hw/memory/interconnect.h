@@ -1,9 +1,12 @@
-// Crossbar between the masters (L1 caches, selective blocks, tree builder, control) and the L2.
+// Crossbar between masters (L1 caches, selective blocks, tree builder, control; or the L2's banks) and memories (the
+// L2's banks; or the DRAM).
 //
-// In:  one request channel a master; one response channel from the L2.
-// Out: one request a cycle to the L2, round-robin; one response a cycle to the master it belongs to.
-// Latency: `interconnect_latency` each way (the latency of its masters' channels).
-// Stalls: stall_out when the L2's request channel or a master's response channel is full.
+// In:  one request channel a master; one response channel a memory.
+// Out: one request a cycle to each memory and from each master, round-robin among the masters whose first request is
+//      for it; one response a cycle from each memory and to each master, from the memories in turn.
+// Memories are interleaved line by line.
+// Latency: that of the channels of its masters (`interconnect_latency` each way before the L2, 1 behind it).
+// Stalls: stall_out when a memory's request channel or a master's response channel is full.
 #pragma once
 
 #include <vector>
@@ -19,19 +22,27 @@ class Interconnect : public Block {
   void add_master(MemoryLink& link) { masters_.push_back(&link); }
   /// After the last master.
   void flag_requests();
-  void bind_below(MemoryLink& link) { below_ = &link; }
+  /// As many as a power of two.
+  void add_memory(MemoryLink& link) {
+    memories_.push_back(&link);
+    arbiters_.emplace_back();
+  }
 
   void reset() override;
   void report(Statistics& out) const override;
 
  private:
   Activity tick(Cycle now) override;
+  bool pass_request(std::size_t memory, Cycle now, bool& blocked);
+  bool pass_response(std::size_t memory, Cycle now, bool& blocked);
+  std::size_t memory_of(Address line) const { return line / line_bytes & (memories_.size() - 1); }
 
-  std::vector<MemoryLink*> masters_;
-  MemoryLink* below_ = nullptr;
-  std::vector<std::uint64_t> waiting_;  // a bit a master
-  RoundRobin arbiter_;
-  std::uint64_t requests_ = 0, responses_ = 0;
+  std::vector<MemoryLink*> masters_, memories_;
+  std::vector<std::uint64_t> waiting_;   // a bit a master
+  std::vector<RoundRobin> arbiters_;     // one a memory
+  std::vector<Cycle> asked_, answered_;  // by master: when its last request and its last response passed
+  std::size_t first_memory_ = 0;         // whose responses go first
+  std::uint64_t requests_ = 0, responses_ = 0, conflicts_ = 0;
 };
 
 }  // namespace artu::hw

@@ -104,6 +104,9 @@ struct alignas(64) LightRecord {
   LightType type;
 };
 
+/// Where a context's traversal stack overflows to: a slot of 16 bytes an entry (node, enter, exit).
+inline constexpr Address spill_entry_bytes = 16, spill_bytes = 128 * spill_entry_bytes;
+
 /// What the control unit reads at the start of a frame.
 struct alignas(64) FrameDescriptor {
   std::uint32_t width, height;
@@ -117,7 +120,8 @@ struct alignas(64) FrameDescriptor {
   Address frame_buffer;  // 4 bytes a pixel (R, G, B, 255), rows of `pitch` pixels
   Address hit_classes;   // 1 byte a pixel (HitClass), rows of `pitch` pixels
   Address build_input, build_scratch;
-  std::uint32_t pitch;  // pixels, a multiple of 64
+  Address stack_spills;  // spill_bytes for every context of every core; 0 unless the unit spills
+  std::uint32_t pitch;   // pixels, a multiple of 64
   std::uint32_t light_count;
   std::uint32_t dynamic_triangle_count;
   std::uint32_t dynamic_reference_count;  // triangle records: more than triangles in a kd-tree

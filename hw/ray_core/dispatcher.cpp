@@ -8,11 +8,21 @@ void Dispatcher::reset() {
   pixels_ = 0;
 }
 
+/// The core that the pixel goes to; the number of cores if none that may have it has room.
+std::size_t Dispatcher::core_for(const PixelJob& pixel) {
+  if (policy_ == Dispatch::first_come) {
+    return core_arbiter_.pick(cores_.size(), [&](std::size_t i) { return cores_[i]->can_push(); });
+  }
+  const std::uint32_t columns = (registers_.descriptor.width + tile_ - 1) / tile_;
+  const std::size_t core = (pixel.y / tile_ * columns + pixel.x / tile_) % cores_.size();
+  return cores_[core]->can_push() ? core : cores_.size();
+}
+
 Activity Dispatcher::tick(Cycle now) {
   const std::size_t source =
       source_arbiter_.pick(sources_.size(), [&](std::size_t i) { return sources_[i]->can_pop(); });
   if (source == sources_.size()) return {State::stall_in};
-  const std::size_t core = core_arbiter_.pick(cores_.size(), [&](std::size_t i) { return cores_[i]->can_push(); });
+  const std::size_t core = core_for(sources_[source]->front());
   if (core == cores_.size()) return {State::stall_out};
   cores_[core]->push(sources_[source]->front());
   sources_[source]->pop();

@@ -1,10 +1,13 @@
 #include "hw/ray_core/intersection.h"
 
+#include <algorithm>
+
 namespace artu::hw {
 
 void Intersection::reset() {
   fetching_ = false;
   outstanding_ = 0;
+  tester_free_ = 0;
   tests_ = hits_ = left_out_ = 0;
 }
 
@@ -32,7 +35,9 @@ void Intersection::test(Slot slot, std::uint32_t index) {
 Activity Intersection::tick(Cycle now) {
   bool moved = false;
   bool blocked = false;
-  if (triangles_->response.can_pop()) {
+  const bool arrived = triangles_->response.can_pop();
+  if (arrived && now >= tester_free_) {
+    tester_free_ = now + interval_;
     // The tag holds the slot and the triangle's place in its leaf.
     const std::uint32_t tag = triangles_->response.front().tag;
     triangles_->response.pop();
@@ -73,10 +78,11 @@ Activity Intersection::tick(Cycle now) {
     }
   }
   if (moved) {
-    const bool left = fetching_ || in_->can_pop() || triangles_->response.can_pop();
-    if (left) return {State::busy, now + 1};
+    if (fetching_ || in_->can_pop()) return {State::busy, now + 1};
+    if (triangles_->response.can_pop()) return {State::busy, std::max(now + 1, tester_free_)};
     return Activity::once(State::busy, outstanding_ != 0 ? State::stall_mem : State::stall_in);
   }
+  if (arrived) return {State::busy, tester_free_};
   if (blocked || outstanding_ != 0) return {State::stall_mem};
   return {State::stall_in};
 }

@@ -1,8 +1,8 @@
 // Tests the triangles of leaves.
 //
 // In:  leaves from traversal; triangles from the triangle cache.   Out: contexts whose leaf is done, to traversal.
-// Latency: `triangle` from the last triangle's data to the answer.  Initiation interval 1: one fetch and one test a
-// cycle; several leaves are in work at a time, their triangles fetched in order.
+// Latency: `triangle` from the last triangle's data to the answer.  One fetch a cycle, one test every
+// `triangle_interval`; several leaves are in work at a time, their triangles fetched in order.
 // A shadow ray's leaf ends at its first hit: triangles not yet fetched are left out (early-out).
 // Stalls: stall_mem when triangles are awaited or the cache takes no request.  The output never fills.
 #pragma once
@@ -17,12 +17,14 @@ namespace artu::hw {
 class Intersection : public Block {
  public:
   Intersection(sc_core::sc_module_name name, ClockDomain& domain, const FrameRegisters& registers,
-               const MemoryImage& image, RayContexts& contexts, const PrecisionConfig& precision = {})
+               const MemoryImage& image, RayContexts& contexts, const PrecisionConfig& precision = {},
+               std::uint32_t interval = 1)
       : Block(name, domain),
         registers_(registers),
         image_(image),
         contexts_(contexts),
         hit_tests_(precision),
+        interval_(interval),
         leaves_(contexts.size()) {}
   void bind(Fifo<LeafTask>& in, Fifo<Slot>& tested, MemoryLink& triangles) {
     in_ = &in;
@@ -49,6 +51,8 @@ class Intersection : public Block {
   const MemoryImage& image_;
   RayContexts& contexts_;
   const HitTests hit_tests_;
+  const std::uint32_t interval_;
+  Cycle tester_free_ = 0;
   Fifo<LeafTask>* in_ = nullptr;
   Fifo<Slot>* tested_ = nullptr;
   MemoryLink* triangles_ = nullptr;

@@ -12,11 +12,15 @@
 #include "hw/datapath/texture.h"
 #include "hw/fabric/timeline.h"
 #include "hw/pixel_record.h"
+#include "hw/ray_core/ray_stack.h"
 
 namespace artu::hw {
 
 /// Token between the blocks of a core: the number of a context, 8 bits.
 using Slot = std::uint16_t;
+
+/// Token: the dynamic tree of the frame is built.
+struct TreeBuilt {};
 
 enum class RayKind : std::uint8_t { primary, shadow, reflection, refraction };
 inline constexpr std::size_t ray_kinds = 4;
@@ -26,7 +30,6 @@ struct PixelJob {
   std::uint16_t x = 0, y = 0;
 };
 
-inline constexpr std::size_t maximum_stack = 128;
 inline constexpr std::size_t maximum_depth = 16;
 
 struct PendingRay {
@@ -50,9 +53,12 @@ struct RayContext {
   TriangleHit best;
   std::uint32_t best_primitive = 0, best_triangle = 0, best_attributes = 0;
   Step next;  // node to visit; without one: pop
-  std::uint32_t stack_size = 0;
+  RayStack stack;
   std::uint8_t lines_left = 0;  // of the node that is being fetched
-  std::array<Step, maximum_stack> stack;
+  std::uint8_t spills = 0;      // of the stack that the memory has not acknowledged
+  bool awaits_spills = false;   // cannot go on before it has
+  bool dynamic_last = false;    // the dynamic tree was being built when the ray began
+  std::uint64_t arrival = 0;    // when its set-up began
 
   // Hit point and shading.
   std::uint8_t outstanding = 0;  // memory requests

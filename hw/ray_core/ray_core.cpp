@@ -9,14 +9,15 @@ std::string channel(const sc_core::sc_module& core, const char* name) {
 }  // namespace
 
 RayCore::RayCore(sc_core::sc_module_name name, ClockDomain& domain, const UnitConfig& config,
-                 const FrameRegisters& registers, const MemoryImage& image)
+                 const FrameRegisters& registers, const MemoryImage& image, std::uint32_t number)
     : sc_module(name),
       config_(config.core),
       pipelines_(config.operators),
       contexts_(config.core.contexts),
-      ray_generator("ray_generator", domain, registers, contexts_, config.precision),
-      traversal("traversal", domain, registers, image, contexts_, config.core, pipelines_, config.precision),
-      intersection("intersection", domain, registers, image, contexts_, config.precision),
+      ray_generator("ray_generator", domain, registers, contexts_, config.precision, config.core.ray_order),
+      traversal("traversal", domain, registers, image, contexts_, config.core, pipelines_, config.precision, number),
+      intersection("intersection", domain, registers, image, contexts_, config.precision,
+                   config.core.triangle_interval),
       hit_point("hit_point", domain, registers, image, contexts_, config.precision),
       shading("shading", domain, registers, image, contexts_, pipelines_, config.precision),
       node_cache("node_cache", domain, config.core.node_cache),
@@ -42,7 +43,9 @@ RayCore::RayCore(sc_core::sc_module_name name, ClockDomain& domain, const UnitCo
       triangle_misses_(channel(*this, "triangle_misses"), config_.triangle_cache.mshrs,
                        config.memory.interconnect_latency, config.memory.interconnect_latency),
       texture_misses_(channel(*this, "texture_misses"), config_.texture_cache.mshrs, config.memory.interconnect_latency,
-                      config.memory.interconnect_latency) {
+                      config.memory.interconnect_latency),
+      spills_(channel(*this, "spills"), config_.queue_depth + 2, config.memory.interconnect_latency,
+              config.memory.interconnect_latency) {
   primary_.bind(ray_generator, traversal);
   others_.bind(ray_generator, traversal);
   leaves_.bind(traversal, intersection);
@@ -61,7 +64,6 @@ RayCore::RayCore(sc_core::sc_module_name name, ClockDomain& domain, const UnitCo
   triangle_cache.add_client(triangles_);
   triangle_cache.add_client(attributes_);
   texture_cache.add_client(texels_);
-  traversal.bind({&primary_, &others_, &tested_, &leaves_, &hits_, &misses_, &shadows_, &nodes_});
   intersection.bind(leaves_, tested_, triangles_);
   hit_point.bind(hits_, surfaces_, attributes_);
 
@@ -77,7 +79,16 @@ RayCore::RayCore(sc_core::sc_module_name name, ClockDomain& domain, const UnitCo
   }
 }
 
-void RayCore::bind(Interconnect& interconnect, Fifo<PixelJob>& jobs, Fifo<PixelToken>& pixels) {
+void RayCore::bind(Interconnect& interconnect, Fifo<PixelJob>& jobs, Fifo<PixelToken>& pixels, Fifo<TreeBuilt>* built) {
+  const bool spills = config_.stack_overflow == StackOverflow::spill;
+  if (spills) {
+    spills_.bind(traversal, interconnect);
+    interconnect.add_master(spills_);
+    channels_.push_back(&spills_.request);
+    channels_.push_back(&spills_.response);
+  }
+  traversal.bind({&primary_, &others_, &tested_, &leaves_, &hits_, &misses_, &shadows_, &nodes_,
+                  spills ? &spills_ : nullptr, built});
   ray_generator.bind(jobs, next_rays_, freed_, primary_, others_);
   shading.bind({&surfaces_, &misses_, &shadows_, &next_rays_, &freed_, &pixels, &texels_});
   const auto connect = [&interconnect](Cache& cache, MemoryLink& link) {

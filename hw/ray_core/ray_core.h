@@ -20,10 +20,11 @@ namespace artu::hw {
 class RayCore : public sc_core::sc_module {
  public:
   RayCore(sc_core::sc_module_name name, ClockDomain& domain, const UnitConfig& config, const FrameRegisters& registers,
-          const MemoryImage& image);
+          const MemoryImage& image, std::uint32_t number);
 
-  /// Connects the L1 caches to the interconnect and the core to the dispatcher and the frame writer.
-  void bind(Interconnect& interconnect, Fifo<PixelJob>& jobs, Fifo<PixelToken>& pixels);
+  /// Connects the L1 caches to the interconnect and the core to the dispatcher and the frame writer; `built` may be
+  /// null.
+  void bind(Interconnect& interconnect, Fifo<PixelJob>& jobs, Fifo<PixelToken>& pixels, Fifo<TreeBuilt>* built);
 
   /// All channels inside, for reset and for the picture of a dead-lock.
   const std::vector<Channel*>& channels() const { return channels_; }
@@ -45,7 +46,7 @@ class RayCore : public sc_core::sc_module {
   Fifo<Slot> primary_, others_, tested_, hits_, misses_, shadows_, surfaces_, next_rays_, freed_;
   Fifo<LeafTask> leaves_;
   MemoryLink nodes_, triangles_, attributes_, texels_;
-  MemoryLink node_misses_, triangle_misses_, texture_misses_;
+  MemoryLink node_misses_, triangle_misses_, texture_misses_, spills_;
   std::vector<Channel*> channels_;
 };
 

@@ -6,6 +6,7 @@ void RayGenerator::reset() {
   free_.clear();
   for (std::size_t slot = contexts_.size(); slot-- > 0;) free_.push_back(static_cast<Slot>(slot));
   rays_.fill(0);
+  pixel_was_last_ = false;
 }
 
 void RayGenerator::start(Slot slot, const PixelJob& job) {
@@ -20,6 +21,31 @@ void RayGenerator::start(Slot slot, const PixelJob& job) {
   if (!is_zero(context.ray.direction)) hit_tests_.set_up(context.ray);
 }
 
+bool RayGenerator::pixel_goes_first() const {
+  return order_ == RayOrder::primary_first || (order_ == RayOrder::first_come && !pixel_was_last_);
+}
+
+void RayGenerator::next_ray(Cycle now) {
+  const Slot slot = next_rays_->front();
+  next_rays_->pop();
+  hit_tests_.set_up(contexts_[slot].ray);
+  contexts_[slot].arrival = now;
+  ++rays_[static_cast<std::size_t>(contexts_[slot].kind)];
+  others_->push(slot);
+  pixel_was_last_ = false;
+}
+
+void RayGenerator::new_pixel(Cycle now) {
+  const Slot slot = free_.back();
+  free_.pop_back();
+  start(slot, jobs_->front());
+  contexts_[slot].arrival = now;
+  jobs_->pop();
+  ++rays_[static_cast<std::size_t>(RayKind::primary)];
+  primary_->push(slot);
+  pixel_was_last_ = true;
+}
+
 Activity RayGenerator::tick(Cycle now) {
   bool moved = false;
   if (freed_->can_pop()) {
@@ -27,20 +53,13 @@ Activity RayGenerator::tick(Cycle now) {
     freed_->pop();
     moved = true;
   }
-  if (next_rays_->can_pop() && others_->can_push()) {
-    const Slot slot = next_rays_->front();
-    next_rays_->pop();
-    hit_tests_.set_up(contexts_[slot].ray);
-    ++rays_[static_cast<std::size_t>(contexts_[slot].kind)];
-    others_->push(slot);
+  const bool next = next_rays_->can_pop() && others_->can_push();
+  const bool pixel = (!next || pixel_goes_first()) && jobs_->can_pop() && !free_.empty() && primary_->can_push();
+  if (pixel) {
+    new_pixel(now);
     moved = true;
-  } else if (jobs_->can_pop() && !free_.empty() && primary_->can_push()) {
-    const Slot slot = free_.back();
-    free_.pop_back();
-    start(slot, jobs_->front());
-    jobs_->pop();
-    ++rays_[static_cast<std::size_t>(RayKind::primary)];
-    primary_->push(slot);
+  } else if (next) {
+    next_ray(now);
     moved = true;
   }
   if (moved) {

@@ -2,8 +2,9 @@
 //
 // In:  pixels to trace; contexts whose next ray is ready for set-up (from shading); contexts that are free again.
 // Out: rays to traversal, primary ones and others on channels of their own.
-// Latency: generate + set_up for primary rays, set_up for others.  Initiation interval 1; next rays go first, so that
-// pixels in flight finish before others begin.
+// Latency: generate + set_up for primary rays, set_up for others.  Initiation interval 1.  With `ray_order`
+// secondary-first next rays go first, so that pixels in flight finish before others begin; with primary-first new
+// pixels do, as long as contexts are free; with first-come they take turns.
 // Stalls: stall_in without work or without a free context.  Its output never fills: there is room for all contexts.
 #pragma once
 
@@ -16,8 +17,8 @@ namespace artu::hw {
 class RayGenerator : public Block {
  public:
   RayGenerator(sc_core::sc_module_name name, ClockDomain& domain, const FrameRegisters& registers,
-               RayContexts& contexts, const PrecisionConfig& precision = {})
-      : Block(name, domain), registers_(registers), contexts_(contexts), hit_tests_(precision) {}
+               RayContexts& contexts, const PrecisionConfig& precision = {}, RayOrder order = RayOrder::secondary_first)
+      : Block(name, domain), registers_(registers), contexts_(contexts), hit_tests_(precision), order_(order) {}
   void bind(Fifo<PixelJob>& jobs, Fifo<Slot>& next_rays, Fifo<Slot>& freed, Fifo<Slot>& primary, Fifo<Slot>& others) {
     jobs_ = &jobs;
     next_rays_ = &next_rays;
@@ -34,10 +35,15 @@ class RayGenerator : public Block {
  private:
   Activity tick(Cycle now) override;
   void start(Slot slot, const PixelJob& job);
+  bool pixel_goes_first() const;
+  void next_ray(Cycle now);
+  void new_pixel(Cycle now);
 
   const FrameRegisters& registers_;
   RayContexts& contexts_;
   const HitTests hit_tests_;
+  const RayOrder order_;
+  bool pixel_was_last_ = false;
   Fifo<PixelJob>* jobs_ = nullptr;
   Fifo<Slot>* next_rays_ = nullptr;
   Fifo<Slot>* freed_ = nullptr;

@@ -5,11 +5,21 @@
 namespace artu::hw {
 
 void Traversal::reset() {
-  ready_head_ = ready_tail_ = 0;
-  ready_at_ = 0;
+  boxed_.clear();
+  resumed_.clear();
+  restarted_.clear();
+  parked_.clear();
+  parked_.reserve(contexts_.size());
+  built_ = false;
+  for (RayContext& context : contexts_) {
+    context.spills = 0;
+    context.awaits_spills = false;
+  }
+  boxed_at_ = 0;
   stepper_free_ = testers_free_ = 0;
-  fetches_ = 0;
+  awaited_ = 0;
   node_visits_ = box_tests_ = leaves_ = dropped_ = dynamic_skipped_ = 0;
+  pushes_ = spilled_lines_ = refilled_lines_ = restarts_ = waits_for_tree_ = 0;
   finished_.fill(0);
 }
 
@@ -20,28 +30,46 @@ float limit_of(const RayContext& context) { return context.found ? context.best.
 /// The nearest step is next, the others go on the stack, the farthest first; then through the pipeline.
 void Traversal::take(Slot slot, const Steps& steps, std::uint32_t latency, Cycle now) {
   RayContext& context = contexts_[slot];
-  for (std::uint32_t i = steps.count; i-- > 1;) context.stack[context.stack_size++] = steps.step[i];
-  context.next = steps.count != 0 ? steps.step[0] : Step{};
+  const std::uint32_t first = context.stack.done();
+  for (std::uint32_t i = steps.count; i-- > first + 1;) {
+    context.stack.push(steps.step[i], i, i + 1 == steps.count);
+    ++pushes_;
+  }
+  if (steps.count > first) {
+    context.next = steps.step[first];
+    context.stack.descend(first, first + 1 == steps.count);
+  } else {
+    context.next = {};
+  }
+  if (context.stack.on_chip() > config_.stack_entries) overflow(slot, context);
   box_tests_ += steps.tests;
-  const std::uint32_t rounds = std::max<std::uint32_t>(1, (steps.tests + box_testers_ - 1) / box_testers_);
+  const std::uint32_t rounds =
+      std::max(config_.node_interval, (steps.tests + config_.box_testers - 1) / config_.box_testers);
   testers_free_ = now + rounds;
-  ready_at_ = std::max(ready_at_, now + rounds - 1 + latency);  // in order, also where trees differ in depth
-  ready_[ready_tail_++ % ready_.size()] = {ready_at_, slot};
+  boxed_at_ = std::max(boxed_at_, now + rounds - 1 + latency);  // in order, also where trees differ in depth
+  boxed_.push({boxed_at_, slot});
 }
 
 void Traversal::begin(Slot slot, Cycle now) {
   RayContext& context = contexts_[slot];
   context.found = false;
-  context.stack_size = 0;
-  Steps steps;
-  if (!is_zero(context.ray.direction)) {
-    const FrameDescriptor& frame = registers_.descriptor;
-    hit_tests_.roots(frame, context.ray, fault_, steps);
-    bool dynamic = false;
-    for (std::uint32_t i = 0; i < steps.count; ++i) dynamic |= NodeReference::is_dynamic(steps.step[i].node);
-    if (frame.dynamic_root != NodeReference::none && !dynamic) ++dynamic_skipped_;
-  }
+  context.stack.clear();
+  context.dynamic_last = !dynamic_ready();
+  const Steps steps = test_roots(context);
+  bool dynamic = is_zero(context.ray.direction) || registers_.descriptor.dynamic_root == NodeReference::none;
+  for (std::uint32_t i = 0; i < steps.count; ++i) dynamic |= NodeReference::is_dynamic(steps.step[i].node);
+  if (!dynamic) ++dynamic_skipped_;
   take(slot, steps, pipelines_.box, now);
+}
+
+Steps Traversal::test_roots(const RayContext& context) const {
+  Steps steps;
+  if (is_zero(context.ray.direction)) return steps;
+  hit_tests_.roots(registers_.descriptor, context.ray, fault_, steps);
+  if (context.dynamic_last && steps.count == 2 && NodeReference::is_dynamic(steps.step[0].node)) {
+    std::swap(steps.step[0], steps.step[1]);
+  }
+  return steps;
 }
 
 TreeKind Traversal::kind_of(std::uint32_t node) const {
@@ -65,6 +93,7 @@ void Traversal::visit(Slot slot, Cycle now) {
 }
 
 Traversal::Advance Traversal::finish(Slot slot, RayContext& context) {
+  if (await_spills(context)) return Advance::done;
   Fifo<Slot>& out = context.kind == RayKind::shadow ? *ports_.shadows : context.found ? *ports_.hits : *ports_.misses;
   if (!out.can_push()) return Advance::blocked_out;
   if (context.kind == RayKind::primary) {
@@ -84,23 +113,33 @@ Traversal::Advance Traversal::advance(Slot slot, Cycle now) {
   RayContext& context = contexts_[slot];
   const bool occluded = context.kind == RayKind::shadow && context.found;
   std::uint32_t dropped = 0;
-  while (!occluded && context.next.node == NodeReference::none && context.stack_size != 0) {
-    const Step& top = context.stack[--context.stack_size];
+  while (!occluded && context.next.node == NodeReference::none && !context.stack.empty()) {
+    const Step& top = context.stack.top();
     if (top.enter > limit_of(context)) {
       ++dropped;
     } else {
       context.next = top;
     }
+    context.stack.pop();
   }
   if (dropped != 0) {
     dropped_ += dropped;
     stepper_free_ = now + 1 + dropped;
     return Advance::dropping;
   }
-  if (occluded || context.next.node == NodeReference::none) return finish(slot, context);
-  if (!NodeReference::is_leaf(context.next.node)) return fetch(slot, context);
+  if (occluded) return finish(slot, context);
+  const std::uint32_t next = context.next.node;
+  if (next == NodeReference::none) {
+    return context.stack.overflown() ? underflow(slot, context) : finish(slot, context);
+  }
+  if (NodeReference::is_dynamic(next) && !dynamic_ready()) {
+    parked_.push_back(slot);
+    ++waits_for_tree_;
+    return Advance::done;
+  }
+  if (!NodeReference::is_leaf(next)) return fetch(slot, context);
   if (!ports_.leaves->can_push()) return Advance::blocked_out;
-  ports_.leaves->push({slot, context.next.node});
+  ports_.leaves->push({slot, next});
   context.next.node = NodeReference::none;
   ++leaves_;
   return Advance::done;
@@ -115,43 +154,80 @@ Traversal::Advance Traversal::fetch(Slot slot, RayContext& context) {
     ports_.nodes->request.push({line_of(address) + i * line_bytes, 0, slot, 0});
   }
   context.lines_left = static_cast<std::uint8_t>(lines);
-  ++fetches_;
+  ++awaited_;
   return Advance::done;
 }
 
-Activity Traversal::tick(Cycle now) {
-  bool moved = false;
-  // (1) The box testers: a node that arrived, or else the roots for a new ray.
+/// The queue whose ray begins next, if any.
+Fifo<Slot>* Traversal::next_ray() const {
+  const bool primary = ports_.primary->can_pop(), others = ports_.others->can_pop();
+  if (!primary || !others) return primary ? ports_.primary : others ? ports_.others : nullptr;
+  switch (config_.ray_order) {
+    case RayOrder::secondary_first:
+      return ports_.others;
+    case RayOrder::primary_first:
+      return ports_.primary;
+    case RayOrder::first_come:
+      break;
+  }
+  const bool earlier = contexts_[ports_.primary->front()].arrival < contexts_[ports_.others->front()].arrival;
+  return earlier ? ports_.primary : ports_.others;
+}
+
+/// The box testers: a node that arrived, or else the roots for a ray that starts anew or begins.
+bool Traversal::test_boxes(Cycle now, bool& blocked) {
   const bool free = now >= testers_free_;
-  if (ports_.nodes->response.can_pop() && (free || contexts_[ports_.nodes->response.front().tag].lines_left > 1)) {
-    const Slot slot = static_cast<Slot>(ports_.nodes->response.front().tag);
+  const bool arrived = ports_.nodes->response.can_pop();
+  if (arrived && contexts_[ports_.nodes->response.front().tag].lines_left > 1) {
+    --contexts_[ports_.nodes->response.front().tag].lines_left;
     ports_.nodes->response.pop();
-    if (--contexts_[slot].lines_left == 0) {
-      --fetches_;
-      visit(slot, now);
-    }
-    moved = true;
-  } else if (!free) {
-    // The testers are still at a wide node.
-  } else if (Fifo<Slot>* in = ports_.others->can_pop()    ? ports_.others
-                              : ports_.primary->can_pop() ? ports_.primary
-                                                          : nullptr) {
+    return true;
+  }
+  if (!free) return false;  // still at a wide node
+  Fifo<Slot>* in = next_ray();
+  if (!arrived && restarted_.empty() && in == nullptr) return false;
+  // What a node adds to a full stack is two lines at most.
+  if (config_.stack_overflow == StackOverflow::spill && !ports_.spills->request.can_push(2)) {
+    blocked = true;
+    return false;
+  }
+  if (arrived) {
+    const auto slot = static_cast<Slot>(ports_.nodes->response.front().tag);
+    ports_.nodes->response.pop();
+    --awaited_;
+    visit(slot, now);
+  } else if (!restarted_.empty()) {
+    const Slot slot = restarted_.front();
+    restarted_.pop();
+    take(slot, test_roots(contexts_[slot]), pipelines_.box, now);
+  } else {
     const Slot slot = in->front();
     in->pop();
     begin(slot, now);
-    moved = true;
   }
-  // (2) The stepper: a ray whose leaf was tested, or else one that leaves the box pipeline.
+  return true;
+}
+
+Activity Traversal::tick(Cycle now) {
+  // (1) What the memory and the control unit say to rays that wait.
+  bool moved = answer_spills();
+  moved |= release();
+  // (2) The box testers.
+  bool blocked_tests = false;
+  moved |= test_boxes(now, blocked_tests);
+  // (3) The stepper: a ray whose leaf was tested, or one that need not wait any more, or one from the box pipeline.
   Advance step = Advance::done;
-  const bool tested = ports_.tested->can_pop();
-  const bool boxed = ready_head_ != ready_tail_ && ready_[ready_head_ % ready_.size()].at <= now;
-  if (now >= stepper_free_ && (tested || boxed)) {
-    step = advance(tested ? ports_.tested->front() : ready_[ready_head_ % ready_.size()].slot, now);
+  const bool tested = ports_.tested->can_pop(), resumed = !resumed_.empty();
+  const bool boxed = !boxed_.empty() && boxed_.front().at <= now;
+  if (now >= stepper_free_ && (tested || resumed || boxed)) {
+    step = advance(tested ? ports_.tested->front() : resumed ? resumed_.front() : boxed_.front().slot, now);
     if (step == Advance::done) {
       if (tested) {
         ports_.tested->pop();
+      } else if (resumed) {
+        resumed_.pop();
       } else {
-        ++ready_head_;
+        boxed_.pop();
       }
       moved = true;
     } else if (step == Advance::dropping) {
@@ -160,21 +236,22 @@ Activity Traversal::tick(Cycle now) {
   }
   if (moved) {
     const bool left = ports_.nodes->response.can_pop() || ports_.others->can_pop() || ports_.primary->can_pop() ||
-                      ports_.tested->can_pop() || step == Advance::dropping;
+                      ports_.tested->can_pop() || !resumed_.empty() || !restarted_.empty() ||
+                      step == Advance::dropping || (ports_.spills != nullptr && ports_.spills->response.can_pop());
     if (left) return {State::busy, now + 1};
     // Rays in the box pipeline keep the block busy until the first of them leaves it.
-    if (ready_head_ != ready_tail_) return {State::busy, std::max(now + 1, ready_[ready_head_ % ready_.size()].at)};
-    return Activity::once(State::busy, fetches_ != 0 ? State::stall_mem : State::stall_in);
+    if (!boxed_.empty()) return {State::busy, std::max(now + 1, boxed_.front().at)};
+    return Activity::once(State::busy, awaited_ != 0 ? State::stall_mem : State::stall_in);
   }
   // Of the testers, the stepper and the pipeline, the first that is free again or done.
   Cycle next = never;
   if (now < testers_free_) next = testers_free_;
-  if (now < stepper_free_ && (tested || boxed)) next = std::min(next, stepper_free_);
-  if (ready_head_ != ready_tail_ && !boxed) next = std::min(next, ready_[ready_head_ % ready_.size()].at);
-  if (step == Advance::blocked_memory) return {State::stall_mem, next};
+  if (now < stepper_free_ && (tested || resumed || boxed)) next = std::min(next, stepper_free_);
+  if (!boxed_.empty() && !boxed) next = std::min(next, boxed_.front().at);
+  if (step == Advance::blocked_memory || blocked_tests) return {State::stall_mem, next};
   if (step == Advance::blocked_out) return {State::stall_out, next};
   if (next != never) return {State::busy, next};
-  return {fetches_ != 0 ? State::stall_mem : State::stall_in};
+  return {awaited_ != 0 ? State::stall_mem : State::stall_in};
 }
 
 void Traversal::report(Statistics& out) const {
@@ -182,13 +259,18 @@ void Traversal::report(Statistics& out) const {
   out.push_back({block, "node_visits", node_visits_, "", "inner nodes fetched and tested"});
   out.push_back({block, "box_tests", box_tests_, "", "boxes tested, root boxes included"});
   out.push_back({block, "leaves", leaves_, "", "leaves given to intersection"});
+  out.push_back({block, "stack_pushes", pushes_, "", "entries put on traversal stacks"});
   out.push_back({block, "dropped", dropped_, "", "stack entries that began behind the best hit"});
+  out.push_back({block, "spilled_lines", spilled_lines_, "lines", "of stack entries written to memory"});
+  out.push_back({block, "refilled_lines", refilled_lines_, "lines", "of stack entries read back"});
+  out.push_back({block, "restarts", restarts_, "", "walks from the roots again, for a forgotten stack entry"});
+  out.push_back({block, "tree_waits", waits_for_tree_, "rays", "rays that waited for the dynamic tree to be built"});
   out.push_back({block, "dynamic_skipped", dynamic_skipped_, "rays", "rays that missed the dynamic tree's root box"});
 }
 
 std::string Traversal::describe() const {
-  return std::to_string(ready_tail_ - ready_head_) + " rays in the box pipeline, " + std::to_string(fetches_) +
-         " node fetches outstanding";
+  return std::to_string(boxed_.size()) + " rays in the box pipeline, " + std::to_string(awaited_) +
+         " wait for memory, " + std::to_string(parked_.size()) + " for the dynamic tree";
 }
 
 }  // namespace artu::hw

@@ -13,24 +13,18 @@ Activity FirstRenderingUnit::tick(Cycle now) {
     const std::uint32_t stride = command_->front().stride;
     command_->pop();
     const FrameDescriptor& frame = registers_.descriptor;
-    walk_ = TileWalk(frame.width, frame.height, config_.tile, 0, stride, 0, stride);
-    x_ = walk_.span().begin;
+    walk_ = PixelWalk(order_, frame.width, frame.height, config_.tile, stride);
     active_ = true;
     return {State::busy, now + 1};
   }
   if (!jobs_->can_push()) return {State::stall_out};
-  const TileWalk::Span span = walk_.span();
-  jobs_->push({static_cast<std::uint16_t>(x_), static_cast<std::uint16_t>(span.y)});
+  jobs_->push({static_cast<std::uint16_t>(walk_.x()), static_cast<std::uint16_t>(walk_.y())});
   if (records_ != nullptr) {
-    (*records_)[std::size_t{span.y} * registers_.descriptor.width + x_].decision = Decision::sampled;
+    (*records_)[std::size_t{walk_.y()} * registers_.descriptor.width + walk_.x()].decision = Decision::sampled;
   }
   ++pixels_;
-  x_ += walk_.dx();
-  if (x_ >= span.end) {
-    walk_.next();
-    active_ = !walk_.done();
-    if (active_) x_ = walk_.span().begin;
-  }
+  walk_.next();
+  active_ = !walk_.done();
   return {State::busy, now + 1};
 }
 

@@ -24,7 +24,8 @@ std::string stats_list(const hw::UnitConfig& unit) {
   const traces::Scene scene = example_scene();
   Simulator simulator(scene, unit, {});
   const Totals totals = totals_of(simulator.run(example_frame()));
-  return format_stats_list(totals, unit.clock_mhz);
+  const Energy energy = energy_of(totals, unit);
+  return format_stats_list(totals, unit.clock_mhz, &energy);
 }
 
 /// Prints what was asked for instead of a run; false if nothing was.
@@ -48,8 +49,8 @@ void report_violations(const FrameOutcome& outcome) {
 }
 
 /// One frame at a time: memory does not grow with their number.
-RunResult run_frames(const FrameSource& source, Simulator& simulator, const ref::Golden* golden, bool quiet,
-                     const hw::UnitConfig& unit, RunReport& report) {
+RunResult run_frames(const FrameSource& source, Simulator& simulator, const hw::UnitConfig& unit,
+                     const ref::Golden* golden, bool quiet, RunReport& report) {
   RunResult result;
   const FrameRange range = source.range();
   Progress progress(range.count(), "frames", quiet);
@@ -102,7 +103,7 @@ int run_command(const RunOptions& options) {
   std::unique_ptr<ref::Golden> golden;
   if (options.check) golden = std::make_unique<ref::Golden>(source.scene(), golden_settings(unit));
 
-  const RunResult result = run_frames(source, simulator, golden.get(), options.quiet, unit, *report);
+  const RunResult result = run_frames(source, simulator, unit, golden.get(), options.quiet, *report);
   Manifest manifest = manifest_of(options.command, options.source.path, source);
   manifest.checked = options.check;
   manifest.simulation = options.simulation;
@@ -111,9 +112,10 @@ int run_command(const RunOptions& options) {
   print_notes(log, options.quiet);
   if (!options.quiet) {
     const traces::Scene& scene = source.scene();
+    const Energy energy = energy_of(result.sum, unit);
     fmt::print("{}", format_summary({options.source.path, scene.width, scene.height, source.range().first,
                                      source.range().last, unit.clock_mhz},
-                                    result.sum));
+                                    result.sum, &energy));
     if (!report->folder().empty()) fmt::print("{:<12}{}\n", "report", report->folder());
   }
   if (golden && !(options.quiet && result.check.passed())) fmt::print("{}", describe(result.check));

@@ -53,15 +53,17 @@ void RunReport::add(const FrameOutcome& outcome, const Totals& frame, const hw::
   write_png(folder_->file("frame" + number), frame_picture(outcome));
   write_png(folder_->file("decision" + number), decision_picture(outcome));
   write_png(folder_->file("class" + number), class_picture(outcome));
-  json_->add_frame(outcome.index, frame, outcome.violations);
+  const Energy energy = energy_of(frame, unit);
+  json_->add_frame(outcome.index, frame, outcome.violations, &energy);
 }
 
 void RunReport::finish(const Totals& sum, const hw::UnitConfig& unit, const Manifest& manifest,
                        const CheckResult* check) {
   if (folder_) {
-    json_->finish(sum, unit.clock_mhz, check);
+    const Energy energy = energy_of(sum, unit);
+    json_->finish(sum, unit.clock_mhz, check, &energy);
     const double golden_seconds = check ? check->golden_seconds : -1;
-    write_file(folder_->file("stats.txt"), format_stats(sum, unit.clock_mhz, golden_seconds));
+    write_file(folder_->file("stats.txt"), format_stats(sum, unit.clock_mhz, golden_seconds, &energy));
     write_file(folder_->file("config.toml"), dump_config(unit));
     write_file(folder_->file("manifest.json"), to_json(manifest));
     folder_->commit();

@@ -67,9 +67,32 @@ void cross_check(const hw::UnitConfig& unit, const Places& places) {
   below("bank_groups", dram.bank_groups, "banks", dram.banks, true);
   below("write_low", dram.write_low, "write_high", dram.write_high, false);
   below("write_high", dram.write_high, "write_queue_depth", dram.write_queue_depth, true);
+  constexpr std::uint32_t spilled_at_once = 8;
+  if (unit.core.stack_overflow == hw::StackOverflow::spill && unit.core.stack_entries < spilled_at_once) {
+    throw InputError(
+        place_of(places, {"core.stack_entries", "core.stack_overflow"}),
+        fmt::format("core.stack_entries = {} is less than the line of {} entries that is spilled at a time; "
+                    "at least {} would be right",
+                    unit.core.stack_entries, spilled_at_once, spilled_at_once));
+  }
+  const std::uint32_t banks = unit.memory.l2_banks;
+  if (unit.memory.l2.mshrs < banks) {
+    throw InputError(place_of(places, {"memory.l2_banks", "memory.l2.mshrs"}),
+                     fmt::format("memory.l2_banks = {} leaves a bank without one of memory.l2.mshrs = {}; at most {} "
+                                 "would be right",
+                                 banks, unit.memory.l2.mshrs, unit.memory.l2.mshrs));
+  }
   hw::UnitConfig copy = unit;
   CacheCheck caches(unit.memory.line, places);
   copy.visit(caches);
+  const std::uint64_t bank_set = std::uint64_t{banks} * unit.memory.l2.ways * unit.memory.line;
+  if (bank_set > unit.memory.l2.size) {
+    throw InputError(place_of(places, {"memory.l2_banks", "memory.l2.size", "memory.l2.ways"}),
+                     fmt::format("memory.l2_banks = {} with a set of {} ways each need {} bytes, more than "
+                                 "memory.l2.size = {}; at most {} banks would be right",
+                                 banks, unit.memory.l2.ways, bank_set, unit.memory.l2.size,
+                                 unit.memory.l2.size / (unit.memory.l2.ways * unit.memory.line)));
+  }
 }
 
 }  // namespace artu::sim

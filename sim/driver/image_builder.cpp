@@ -26,11 +26,13 @@ hw::LightRecord light_record(const traces::Light& light) {
 
 }  // namespace
 
-ImageBuilder::ImageBuilder(const traces::Scene& scene, const hw::AccelConfig& accel, hw::MemoryImage& image)
+ImageBuilder::ImageBuilder(const traces::Scene& scene, const hw::AccelConfig& accel, hw::MemoryImage& image,
+                           std::uint32_t spilling_contexts)
     : scene_(scene), accel_(accel), image_(image), pitch_((scene.width + 63) / 64 * 64) {
   const std::uint64_t pixels = std::uint64_t{pitch_} * scene.height;
   frame_buffer_ = image_.allocate(pixels * 4);
   hit_classes_ = image_.allocate(pixels);
+  if (spilling_contexts != 0) stack_spills_ = image_.allocate(spilling_contexts * hw::spill_bytes);
   std::vector<hw::Address> textures;
   textures.reserve(scene.textures.size());
   for (const traces::Texture& texture : scene.textures) textures.push_back(add_texture(texture));
@@ -108,6 +110,7 @@ hw::Address ImageBuilder::add(const traces::Frame& frame) {
   d.hit_classes = hit_classes_;
   d.build_input = input;
   d.build_scratch = scratch;
+  d.stack_spills = stack_spills_;
   d.pitch = pitch_;
   d.light_count = static_cast<std::uint32_t>(frame.lights.size());
   d.dynamic_triangle_count = static_cast<std::uint32_t>(count);

@@ -28,6 +28,10 @@ hw::RunMode mode_of(const SimulationOptions& options) {
   return {options.clocked, options.shuffle_ticks, options.random_stall, options.seed, options.log, options.log_sink};
 }
 
+std::uint32_t spilling_contexts(const hw::RayCoreConfig& core) {
+  return core.stack_overflow == hw::StackOverflow::spill ? core.count * core.contexts : 0;
+}
+
 std::uint64_t sum(const hw::Statistics& statistics, const std::string& name) {
   std::uint64_t total = 0;
   for (const hw::Statistic& s : statistics) {
@@ -63,7 +67,7 @@ struct Simulator::Impl {
   Impl(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options)
       : scene(scene),
         config(config),
-        builder(scene, config.accel, image),
+        builder(scene, config.accel, image, spilling_contexts(config.core)),
         unit("unit", config, mode_of(options), image, options.fault) {
     dynamic_cast<hw::Dram&>(unit.dram).observe(options.memory_observer);
   }
@@ -83,11 +87,14 @@ struct Simulator::Impl {
 
   void check_stack(const traces::Frame& frame) const {
     const std::uint32_t needed = builder.stack_needed();
-    if (needed > config.core.stack_entries) {
-      throw InputError(scene.name + ": frame " + std::to_string(frame.index),
-                       "the tree needs a stack of " + std::to_string(needed) + " entries; core.stack_entries is " +
-                           std::to_string(config.core.stack_entries));
-    }
+    const bool refuse = config.core.stack_overflow == hw::StackOverflow::refuse;
+    const std::uint32_t room = refuse ? config.core.stack_entries : hw::maximum_stack;
+    if (needed <= room) return;
+    throw InputError(
+        scene.name + ": frame " + std::to_string(frame.index),
+        "the tree needs a stack of " + std::to_string(needed) + " entries; " +
+            (refuse ? "core.stack_entries is " : "no more can be spilled or found again than ") + std::to_string(room) +
+            (refuse && needed <= hw::maximum_stack ? "; with core.stack_overflow = spill fewer are enough" : ""));
   }
 
   const traces::Scene& scene;

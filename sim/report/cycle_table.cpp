@@ -11,12 +11,14 @@ constexpr std::array<const char*, 5> classes{"busy", "stall_in", "stall_out", "s
 
 }  // namespace
 
-std::string without_core_number(const std::string& block) {
-  const std::string core = "core";
-  if (block.compare(0, core.size(), core) != 0) return block;
-  const std::size_t end = block.find_first_not_of("0123456789", core.size());
-  if (end == core.size() || (end != std::string::npos && block[end] != '.')) return block;
-  return core + (end == std::string::npos ? "" : block.substr(end));
+std::string without_number(const std::string& block) {
+  for (const std::string prefix : {"core", "l2_bank"}) {
+    if (block.compare(0, prefix.size(), prefix) != 0) continue;
+    const std::size_t end = block.find_first_not_of("0123456789", prefix.size());
+    if (end == prefix.size() || (end != std::string::npos && block[end] != '.')) continue;
+    return (prefix == "core" ? prefix : "l2") + (end == std::string::npos ? "" : block.substr(end));
+  }
+  return block;
 }
 
 std::vector<CycleShares> cycle_shares(const hw::Statistics& statistics) {
@@ -24,7 +26,7 @@ std::vector<CycleShares> cycle_shares(const hw::Statistics& statistics) {
   for (const hw::Statistic& s : statistics) {
     const auto column = std::find(classes.begin(), classes.end(), s.name);
     if (column == classes.end()) continue;
-    const std::string block = without_core_number(s.block);
+    const std::string block = without_number(s.block);
     auto row = std::find_if(shares.begin(), shares.end(), [&](const CycleShares& r) { return r.block == block; });
     if (row == shares.end()) row = shares.insert(shares.end(), CycleShares{block, {}});
     row->percent[column - classes.begin()] += static_cast<double>(s.value);

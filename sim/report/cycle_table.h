@@ -19,7 +19,7 @@ std::vector<CycleShares> cycle_shares(const hw::Statistics& statistics);
 
 std::string format_cycle_table(const hw::Statistics& statistics);
 
-/// "core3.traversal" -> "core.traversal"; other names stay.
-std::string without_core_number(const std::string& block);
+/// "core3.traversal" -> "core.traversal", "l2_bank1" -> "l2"; other names stay.
+std::string without_number(const std::string& block);
 
 }  // namespace artu::sim

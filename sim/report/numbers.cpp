@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "sim/report/cycle_table.h"
+
 namespace artu::sim {
 namespace {
 
@@ -51,7 +53,10 @@ struct HitRate {
   std::uint64_t hits = 0, misses = 0;
 };
 
-std::string kind_of(const std::string& block) { return block.substr(block.rfind('.') + 1); }
+std::string kind_of(const std::string& block) {
+  const std::string name = without_number(block);
+  return name.substr(name.rfind('.') + 1);
+}
 
 std::vector<HitRate> hit_rates(const hw::Statistics& statistics) {
   std::vector<HitRate> rates;

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim/energy/energy_report.h"
+
 namespace artu::sim {
 namespace {
 
@@ -30,6 +32,15 @@ Json object_of(const Totals& totals) {
   Json object = object_of(frame_numbers(totals));
   Json& blocks = object["blocks"] = Json::object();
   for (const hw::Statistic& s : totals.statistics) blocks[s.block][s.name] = s.value;
+  return object;
+}
+
+/// A block's or an event's name, dots and all, is one key.
+Json object_of(const Energy* energy) {
+  if (energy == nullptr) return {};
+  Json object = object_of(energy_numbers(*energy));
+  for (const Number& number : energy_blocks(*energy)) object["blocks"][number.name] = std::get<double>(number.value);
+  for (const Number& number : energy_events(*energy)) object["events"][number.name] = std::get<double>(number.value);
   return object;
 }
 
@@ -72,21 +83,24 @@ StatsJson::StatsJson(const std::string& file) : file_(file) {
   file_.write(fmt::format("{{\n \"schema\": {},\n \"frames\": [", schema));
 }
 
-void StatsJson::add_frame(std::uint32_t index, const Totals& frame, const std::vector<std::string>& violations) {
+void StatsJson::add_frame(std::uint32_t index, const Totals& frame, const std::vector<std::string>& violations,
+                          const Energy* energy) {
   Json object = {{"index", index}};
   object.update(object_of(frame));
+  object["energy"] = object_of(energy);
   object["violations"] = violations;
   file_.write(first_ ? "\n  " : ",\n  ");
   file_.write(indented(object, "  "));
   first_ = false;
 }
 
-void StatsJson::finish(const Totals& sum, std::uint32_t clock_mhz, const CheckResult* check) {
+void StatsJson::finish(const Totals& sum, std::uint32_t clock_mhz, const CheckResult* check, const Energy* energy) {
   Json totals = {{"frames", sum.frames}};
   totals.update(object_of(sum));
   file_.write("\n ],\n");
   file_.write(" \"totals\": " + indented(totals, " ") + ",\n");
   file_.write(" \"derived\": " + indented(object_of(derived_numbers(sum, clock_mhz)), " ") + ",\n");
+  file_.write(" \"energy\": " + indented(object_of(energy), " ") + ",\n");
   file_.write(" \"check\": " + (check ? indented(object_of(*check), " ") : "null") + ",\n");
   const auto simulation = simulation_numbers(sum, check ? check->golden_seconds : -1);
   file_.write(" \"simulation\": " + indented(object_of(simulation), " ") + "\n}\n");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/compare/frame_compare.h"
+#include "sim/energy/energy.h"
 #include "sim/report/file.h"
 #include "sim/report/numbers.h"
 
@@ -17,9 +18,10 @@ class StatsJson {
   static constexpr int schema = 1;
 
   explicit StatsJson(const std::string& file);
-  void add_frame(std::uint32_t index, const Totals& frame, const std::vector<std::string>& violations);
-  /// `check` is null where nothing was compared.
-  void finish(const Totals& sum, std::uint32_t clock_mhz, const CheckResult* check);
+  /// `energy` is null where it was not computed, `check` where nothing was compared.
+  void add_frame(std::uint32_t index, const Totals& frame, const std::vector<std::string>& violations,
+                 const Energy* energy = nullptr);
+  void finish(const Totals& sum, std::uint32_t clock_mhz, const CheckResult* check, const Energy* energy = nullptr);
 
  private:
   OutputFile file_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/energy/energy_report.h"
 #include "sim/report/cycle_table.h"
 
 namespace artu::sim {
@@ -15,12 +16,18 @@ std::vector<Number> prefixed(const std::string& prefix, std::vector<Number> numb
 }
 
 /// Everything that a report holds, in the order of stats.json.
-std::vector<Number> all_numbers(const Totals& sum, std::uint32_t clock_mhz, double golden_seconds) {
+std::vector<Number> all_numbers(const Totals& sum, std::uint32_t clock_mhz, double golden_seconds,
+                                const Energy* energy) {
   std::vector<Number> all = {{"frames", sum.frames, "frames", "simulated"}};
   const auto append = [&](const std::vector<Number>& more) { all.insert(all.end(), more.begin(), more.end()); };
   append(frame_numbers(sum));
   for (const hw::Statistic& s : sum.statistics) all.push_back({s.block + "." + s.name, s.value, s.unit, s.text});
   append(prefixed("derived.", derived_numbers(sum, clock_mhz)));
+  if (energy != nullptr) {
+    append(prefixed("energy.", energy_numbers(*energy)));
+    append(prefixed("energy.blocks.", energy_blocks(*energy)));
+    append(prefixed("energy.events.", energy_events(*energy)));
+  }
   append(prefixed("simulation.", simulation_numbers(sum, golden_seconds)));
   return all;
 }
@@ -32,8 +39,8 @@ double value_of(const std::vector<Number>& numbers, const std::string& name) {
 
 }  // namespace
 
-std::string format_stats(const Totals& sum, std::uint32_t clock_mhz, double golden_seconds) {
-  const std::vector<Number> numbers = all_numbers(sum, clock_mhz, golden_seconds);
+std::string format_stats(const Totals& sum, std::uint32_t clock_mhz, double golden_seconds, const Energy* energy) {
+  const std::vector<Number> numbers = all_numbers(sum, clock_mhz, golden_seconds, energy);
   std::string out = fmt::format(
       "# {} frame{} at {} MHz: {:.0f} cycles per frame, {:.2f} fps, {:.2f} Mrays/s, {:.1f} % of the pixels ray "
       "traced\n",
@@ -42,6 +49,10 @@ std::string format_stats(const Totals& sum, std::uint32_t clock_mhz, double gold
       100 * value_of(numbers, "traced_share"));
   out += "\n# Where do the cycles go: all frames together, \"core\" is the mean of the cores\n";
   out += format_cycle_table(sum.statistics);
+  if (energy != nullptr) {
+    out += "\n# Where does the energy go: a frame, mean; all cores together\n";
+    out += format_energy_table(*energy);
+  }
   out += "\n# All numbers, summed over the frames: name value unit # text\n";
   // No real is wider than 12, so that wall times do not move the columns of a run that is repeated.
   std::size_t name = 0, value = 12, unit = 0;
@@ -56,11 +67,11 @@ std::string format_stats(const Totals& sum, std::uint32_t clock_mhz, double gold
   return out;
 }
 
-std::string format_stats_list(const Totals& sum, std::uint32_t clock_mhz) {
-  std::vector<Number> numbers = all_numbers(sum, clock_mhz, 0);
+std::string format_stats_list(const Totals& sum, std::uint32_t clock_mhz, const Energy* energy) {
+  std::vector<Number> numbers = all_numbers(sum, clock_mhz, 0, energy);
   // The other cores' counters have the same names.
   const auto repeated = [](const Number& n) {
-    return n.name.rfind("core0.", 0) != 0 && without_core_number(n.name) != n.name;
+    return n.name.rfind("core0.", 0) != 0 && without_number(n.name) != n.name;
   };
   numbers.erase(std::remove_if(numbers.begin(), numbers.end(), repeated), numbers.end());
   std::size_t name = 4, unit = 4;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/energy/energy_report.h"
+
 namespace artu::sim {
 namespace {
 
@@ -21,7 +23,7 @@ double value_of(const std::vector<Number>& numbers, const std::string& name) {
 
 }  // namespace
 
-std::string format_summary(const SummaryHeading& h, const Totals& sum) {
+std::string format_summary(const SummaryHeading& h, const Totals& sum, const Energy* energy) {
   const auto numbers = frame_numbers(sum), derived = derived_numbers(sum, h.clock_mhz);
   const auto simulation = simulation_numbers(sum, -1);
   std::string out;
@@ -36,6 +38,11 @@ std::string format_summary(const SummaryHeading& h, const Totals& sum) {
   line("ray traced", fmt::format("{:.1f} % of the pixels", 100 * value_of(numbers, "traced_share")));
   line("DRAM", fmt::format("{:.3f} GB/s, {:.1f} bytes per ray", value_of(derived, "dram_gb_per_second"),
                            value_of(derived, "dram_bytes_per_ray")));
+  if (energy != nullptr) {
+    const auto energies = energy_numbers(*energy);
+    line("energy", fmt::format("{:.1f} uJ per frame, {:.2f} nJ per ray, {:.1f} mW", value_of(energies, "frame_uj"),
+                               value_of(energies, "ray_nj"), value_of(energies, "power_mw")));
+  }
   line("simulation", fmt::format("{:.2f} s, {} rays/s, {} cycles/s", value_of(simulation, "wall_seconds"),
                                  grouped(value_of(simulation, "rays_per_second")),
                                  grouped(value_of(simulation, "cycles_per_second"))));

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "sim/energy/energy.h"
 #include "sim/report/numbers.h"
 
 namespace artu::sim {
@@ -15,6 +16,7 @@ struct SummaryHeading {
   std::uint32_t clock_mhz = 0;
 };
 
-std::string format_summary(const SummaryHeading& heading, const Totals& sum);
+/// `energy` is null where it was not computed.
+std::string format_summary(const SummaryHeading& heading, const Totals& sum, const Energy* energy = nullptr);
 
 }  // namespace artu::sim

@@ -59,7 +59,7 @@ struct Control {
     flushed.bind(l2, control);
     first.bind(control, first_sink);
     extract.bind(control, extract_sink);
-    control.bind({&link, &build, &built, &first, &extract, &pass, &written, &flush, &flushed});
+    control.bind({&link, &build, &built, &first, &extract, &pass, &written, {&flush}, {&flushed}});
     control.set_descriptor(address);
   }
   static SelectiveConfig config(bool selective) {

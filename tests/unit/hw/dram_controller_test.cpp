@@ -272,6 +272,7 @@ TEST(DramController, EveryRequestIsAnsweredOnce) {
     const auto tags = m.client.tags();
     EXPECT_EQ(std::set<std::uint32_t>(tags.begin(), tags.end()).size(), 3000u) << variant;
     EXPECT_EQ(m.count("row_hits") + m.count("row_misses") + m.count("row_empty") + m.count("forwarded"), 3000u);
+    EXPECT_EQ(m.count("reads") + m.count("writes") + m.count("forwarded"), 3000u);
     EXPECT_EQ(m.count("bus_clocks"), (3000 - m.count("forwarded")) * burst);
     EXPECT_GE(m.count("activates"), m.count("row_misses") + m.count("row_empty"));
     EXPECT_LE(m.count("precharges"), m.count("activates"));

@@ -16,7 +16,7 @@ constexpr Cycle memory_latency = 10;
 struct Crossbar {
   explicit Crossbar(std::size_t count) {
     below.bind(interconnect, memory);
-    interconnect.bind_below(below);
+    interconnect.add_memory(below);
     for (std::size_t i = 0; i < count; ++i) {
       masters.push_back(std::make_unique<Client>(bench, "master" + std::to_string(i), interconnect, 4, hop, hop));
       interconnect.add_master(masters.back()->link);

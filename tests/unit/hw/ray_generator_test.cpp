@@ -120,7 +120,8 @@ struct Dispatch {
     }
   }
   Bench bench;
-  Dispatcher& dispatcher = bench.block<Dispatcher>("dispatcher");
+  FrameRegisters registers;
+  Dispatcher& dispatcher = bench.block<Dispatcher>("dispatcher", registers);
   std::vector<Source<PixelJob>*> sources;
   std::vector<Sink<PixelJob>*> cores;
 };

@@ -99,6 +99,16 @@ TEST(TlmUnit, ThePictureIsThatOfTheBuiltInDramWhateverTheMemoryDoes) {
   }
 }
 
+TEST(TlmUnit, ThePictureIsTheSameWithABankedL2) {
+  UnitConfig config = TinyUnit::small();
+  config.memory.l2_banks = 4;
+  TinyUnit built_in(21, 13, {}, config);
+  built_in.run();
+  Platform p(TlmStyle::four_phases, {}, config);
+  ASSERT_EQ(p.run(), status_done);
+  EXPECT_EQ(tuples(p.records), built_in.pixels());
+}
+
 TEST(TlmUnit, OnlyPixelsAreWritten) {
   Platform p;
   p.memory.bytes.assign(window, 0xcd);

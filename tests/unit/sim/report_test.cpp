@@ -130,10 +130,12 @@ TEST(CycleTable, CoresAreAveragedAndSharesAddUpToAHundred) {
   EXPECT_DOUBLE_EQ(shares[0].percent[0], 60);
   EXPECT_DOUBLE_EQ(shares[0].percent[3], 40);
   EXPECT_THAT(format_cycle_table(outcome().statistics), HasSubstr("60.0%"));
-  EXPECT_EQ(without_core_number("core12.shading"), "core.shading");
-  EXPECT_EQ(without_core_number("corelation"), "corelation");
-  EXPECT_EQ(without_core_number("core1x"), "core1x");
-  EXPECT_EQ(without_core_number("l2"), "l2");
+  EXPECT_EQ(without_number("core12.shading"), "core.shading");
+  EXPECT_EQ(without_number("corelation"), "corelation");
+  EXPECT_EQ(without_number("core1x"), "core1x");
+  EXPECT_EQ(without_number("l2"), "l2");
+  EXPECT_EQ(without_number("l2_bank3"), "l2");
+  EXPECT_EQ(without_number("l2_to_dram"), "l2_to_dram");
 }
 
 TEST_F(ReportTest, StatsJsonHasTheKeysOfItsSchema) {
