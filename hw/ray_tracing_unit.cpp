@@ -19,7 +19,7 @@ Tick period_of(std::uint32_t own_mhz, std::uint32_t other_mhz) { return other_mh
 }  // namespace
 
 RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& config, const RunMode& mode,
-                               MemoryImage& image, const Fault& fault)
+                               MemoryImage& image, const Fault& fault, const MakeMemory& make_memory)
     : sc_module(name),
       config_(config),
       mode_(mode),
@@ -40,7 +40,9 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
       frame_writer("frame_writer", clock, registers_, image, config.memory.write_combining),
       tree_builder("tree_builder", clock, config.tree_builder, registers_),
       interconnect("interconnect", clock),
-      dram("dram", dram_clock, config.memory.dram),
+      main_memory(make_memory ? make_memory(dram_clock)
+                              : std::make_unique<Dram>("dram", dram_clock, config.memory.dram)),
+      dram(*main_memory),
       first_command_("first_command", 2),
       extract_command_("extract_command", 2),
       pass_("pass", 2),
@@ -230,12 +232,27 @@ void RayTracingUnit::inject(const Fault& fault) {
     if (fault.datapath == Datapath::triangle) core->intersection.inject(bits);
     if (fault.datapath == Datapath::shading) core->shading.inject(code);
   }
-  if (fault.datapath == Datapath::dram) dram.lose(fault.bit);
+  if (auto* built_in = dynamic_cast<Dram*>(main_memory.get());
+      built_in != nullptr && fault.datapath == Datapath::dram) {
+    built_in->lose(fault.bit);
+  }
   if (fault.datapath == Datapath::interpolation) render_executor.inject(code);
   if (fault.datapath == Datapath::threshold) threshold_adjuster.inject(code);
 }
 
 FrameResult RayTracingUnit::run(Address descriptor, PixelRecords* records) {
+  begin_frame(descriptor, records);
+  sc_core::sc_start();
+  return end_frame();
+}
+
+void RayTracingUnit::keep_to_kernel_time(std::function<void()> at_end) {
+  timeline_.in_step = true;
+  timeline_.at_end = std::move(at_end);
+}
+
+void RayTracingUnit::begin_frame(Address descriptor, PixelRecords* records) {
+  records_ = records;
   for (Channel* channel : channels_) channel->reset();
   timeline_.now = 0;
   timeline_.progress = 0;
@@ -245,8 +262,9 @@ FrameResult RayTracingUnit::run(Address descriptor, PixelRecords* records) {
   frame_writer.observe(records);
   for (auto& core : cores) core->shading.observe(records);
   for (ClockDomain* domain : timeline_.domains) domain->begin_frame();
-  sc_core::sc_start();
+}
 
+FrameResult RayTracingUnit::end_frame() {
   FrameResult result;
   if (control_unit.finished_at() == never) {
     result.dead_locked = true;
@@ -256,19 +274,25 @@ FrameResult RayTracingUnit::run(Address descriptor, PixelRecords* records) {
   result.cycles = control_unit.finished_at();
   clock.end_frame(result.cycles);
   dram_clock.end_frame(result.cycles * unit_period_ / dram_period_);
+  result.statistics = statistics();
+  check_laws(result, records_);
+  return result;
+}
+
+Statistics RayTracingUnit::statistics() {
+  Statistics all;
   each_block([&](Block& block) {
     static const char* const texts[state_count] = {"worked, or had work in its pipeline", "starved: no input",
                                                    "blocked by a full channel", "waited for memory",
                                                    "no part in this phase of the frame"};
     const std::string unit = &block == &dram ? "DRAM clocks" : "cycles";
     for (std::size_t s = 0; s < state_count; ++s) {
-      result.statistics.push_back(
+      all.push_back(
           {block.path(), state_name(static_cast<State>(s)), block.cycles_in(static_cast<State>(s)), unit, texts[s]});
     }
-    block.report(result.statistics);
+    block.report(all);
   });
-  check_laws(result, records);
-  return result;
+  return all;
 }
 
 void RayTracingUnit::each_block(const std::function<void(Block&)>& visit) {

@@ -30,12 +30,22 @@ struct FrameResult {
 
 class RayTracingUnit : public sc_core::sc_module {
  public:
+  /// `make_memory`: what stands below the L2; {}: the built-in DRAM.
   RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& config, const RunMode& mode, MemoryImage& image,
-                 const Fault& fault = {});
+                 const Fault& fault = {}, const MakeMemory& make_memory = {});
   ~RayTracingUnit() override;
 
   /// Renders the frame whose descriptor lies at `descriptor`.  `records` (width * height) may be null.
   FrameResult run(Address descriptor, PixelRecords* records);
+
+  /// In a platform that simulates by itself: the unit keeps to SystemC's time, a frame starts at the present time, and
+  /// `at_end` says that it is over (it may do so twice).
+  void keep_to_kernel_time(std::function<void()> at_end);
+  void begin_frame(Address descriptor, PixelRecords* records);
+  FrameResult end_frame();
+
+  /// Every number that the blocks count, in a fixed order.
+  Statistics statistics();
 
   /// Of all blocks, in the order of the reports.
   std::vector<std::string> block_paths() const;
@@ -59,6 +69,7 @@ class RayTracingUnit : public sc_core::sc_module {
   Timeline timeline_;
   Tick unit_period_ = 1, dram_period_ = 1;
   double tick_seconds_ = 0;
+  PixelRecords* records_ = nullptr;
 
  public:
   ClockDomain clock, dram_clock;
@@ -76,7 +87,8 @@ class RayTracingUnit : public sc_core::sc_module {
   Interconnect interconnect;
   std::vector<std::unique_ptr<Cache>> l2;    // banks
   std::unique_ptr<Interconnect> l2_to_dram;  // with several banks
-  Dram dram;
+  const std::unique_ptr<MainMemory> main_memory;
+  MainMemory& dram;  // the same; whatever it is, its clock and its place in the reports are the DRAM's
 
  private:
   Fifo<PassCommand> first_command_, extract_command_;

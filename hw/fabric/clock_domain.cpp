@@ -88,11 +88,22 @@ Tick ClockDomain::next_tick() const {
   return cycle == never ? never : cycle * period_;
 }
 
+sc_core::sc_time ClockDomain::time_of(Tick tick) const {
+  return frame_start_ + sc_core::sc_time(static_cast<double>(tick) * tick_seconds_, sc_core::SC_SEC);
+}
+
+Cycle ClockDomain::first_cycle_after(const sc_core::sc_time& time) const {
+  auto cycle = static_cast<Cycle>((time - frame_start_).to_seconds() / (static_cast<double>(period_) * tick_seconds_));
+  // That was rounded; an edge's time is what decides.
+  while (cycle > 0 && time_of((cycle - 1) * period_) > time) --cycle;
+  while (time_of(cycle * period_) <= time) ++cycle;
+  return cycle;
+}
+
 void ClockDomain::schedule() {
   const Tick tick = next_tick();
   if (tick == never) return;
-  const sc_core::sc_time at =
-      frame_start_ + sc_core::sc_time(static_cast<double>(tick) * tick_seconds_, sc_core::SC_SEC);
+  const sc_core::sc_time at = time_of(tick);
   const sc_core::sc_time present = sc_core::sc_time_stamp();
   due_.cancel();
   due_.notify(at > present ? at - present : sc_core::SC_ZERO_TIME);
@@ -127,12 +138,17 @@ void ClockDomain::step() {
         earliest = domain;
       }
     }
-    if (earliest == nullptr) break;  // all asleep for good
+    if (earliest == nullptr) break;  // all asleep, for good or until the border wakes one
+    if (timeline_.in_step && earliest->time_of(tick) > sc_core::sc_time_stamp()) {
+      earliest->schedule();
+      break;
+    }
     timeline_.now = tick;
     earliest->work(tick / earliest->period_);
     earliest->watch();
   }
   timeline_.driven = false;
+  if (!running_ && timeline_.at_end) timeline_.at_end();
 }
 
 void ClockDomain::watch() {
@@ -189,6 +205,9 @@ Block::Block(sc_core::sc_module_name name, ClockDomain& domain)
 
 std::string Block::path() const {
   const std::string full = name();
+  if (const sc_core::sc_object* unit = domain_.get_parent_object()) {
+    return full.substr(std::string(unit->name()).size() + 1);  // the unit may lie deep in a platform
+  }
   const std::size_t dot = full.find('.');
   return dot == std::string::npos ? full : full.substr(dot + 1);
 }

@@ -24,6 +24,8 @@ class ClockDomain : public sc_core::sc_module {
   Timeline& timeline() { return timeline_; }
   /// The first cycle of this domain that begins strictly after `tick`.
   Cycle cycle_after(Tick tick) const { return tick / period_ + 1; }
+  /// The same for SystemC's time, which is not before the frame: at the border, time is sc_time.
+  Cycle first_cycle_after(const sc_core::sc_time& time) const;
 
   /// Stops the frame when no token has moved for this many cycles and no block is busy.  (An event-driven run
   /// need not wait so long: it is stuck when no block will ever be woken.)
@@ -59,6 +61,7 @@ class ClockDomain : public sc_core::sc_module {
   Cycle next_cycle() const;
   Tick next_tick() const;
   void schedule();
+  sc_core::sc_time time_of(Tick tick) const;
   void refill(Cycle cycle);
 
   Timeline& timeline_;

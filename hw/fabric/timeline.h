@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace artu::hw {
@@ -20,6 +21,10 @@ struct Timeline {
   Tick now = 0;                // the edge that is being worked on
   std::uint64_t progress = 0;  // tokens moved so far: the watchdog looks whether this changes
   bool driven = false;         // a domain's process is running: wakes need no kernel event
+  // An edge is worked on when SystemC's time is there, for a unit in a platform; otherwise ahead of it, which is
+  // faster.
+  bool in_step = false;
+  std::function<void()> at_end;  // called when a block or the watchdog has ended the frame; may be called twice
   std::vector<ClockDomain*> domains;
 };
 

@@ -5,7 +5,7 @@
 namespace artu::hw {
 
 Dram::Dram(sc_core::sc_module_name name, ClockDomain& domain, const DramConfig& config)
-    : Block(name, domain),
+    : MainMemory(name, domain),
       config_(config),
       channels_(config.channels, DramChannel(config)),
       step_at_(config.channels, never) {}
@@ -45,6 +45,7 @@ bool Dram::accept(Cycle now) {
   const MemoryRequest& request = link_->request.front();
   const DramPlace place = place_of_line(config_, request.line / line_bytes);
   channels_[place.channel].accept(request, place, now);
+  if (observer_) observer_(now, request);
   step_at_[place.channel] = now;
   (request.write() ? write_bytes_ : read_bytes_) += line_bytes;
   link_->request.pop();

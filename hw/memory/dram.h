@@ -9,28 +9,35 @@
 // Not modelled: power-down, temperature-dependent refresh, command and data training.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "hw/fabric/memory_port.h"
 #include "hw/fabric/round_robin.h"
 #include "hw/memory/dram_channel.h"
+#include "hw/memory/main_memory.h"
 #include "hw/unit_config.h"
 
 namespace artu::hw {
 
-class Dram : public Block {
+/// Told of each request in the DRAM clock in which the DRAM takes it.  No part of the chip; must not throw.
+using MemoryObserver = std::function<void(Cycle, const MemoryRequest&)>;
+
+class Dram : public MainMemory {
  public:
   Dram(sc_core::sc_module_name name, ClockDomain& domain, const DramConfig& config);
-  void bind(MemoryLink& link) { link_ = &link; }
+  void bind(MemoryLink& link) override { link_ = &link; }
   /// Fault injection: the answer with this number, from 0, is lost.
   void lose(std::uint64_t answer) { lost_ = answer; }
+  /// None: {}.
+  void observe(MemoryObserver observer) { observer_ = std::move(observer); }
 
   void reset() override;
   void report(Statistics& out) const override;
   std::string describe() const override;
 
-  std::uint64_t read_bytes() const { return read_bytes_; }
-  std::uint64_t write_bytes() const { return write_bytes_; }
+  std::uint64_t read_bytes() const override { return read_bytes_; }
+  std::uint64_t write_bytes() const override { return write_bytes_; }
 
  private:
   Activity tick(Cycle now) override;
@@ -40,6 +47,7 @@ class Dram : public Block {
 
   const DramConfig config_;
   MemoryLink* link_ = nullptr;
+  MemoryObserver observer_;
   std::vector<DramChannel> channels_;
   std::vector<Cycle> step_at_;  // by channel
   RoundRobin arbiter_;

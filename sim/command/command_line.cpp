@@ -68,7 +68,18 @@ void add_run_options(CLI::App& command, RunOptions& run) {
   command.add_option("--dump-pixels", run.pixel_csv, "Write one row a pixel and frame (docs/selective-rendering.md)")
       ->option_text("FILE.csv")
       ->group("Output");
-  command.add_flag("--force", run.force, "Replace an earlier run's folder, or an existing FILE.csv")->group("Output");
+  auto* trace = command.add_option("--memory-trace", run.memory_trace,
+                                   "Write every request that reaches the DRAM (docs/memory_trace.md)");
+  trace->option_text("FILE")->group("Output");
+  command
+      .add_option_function<std::string>(
+          "--memory-trace-format",
+          [&run](const std::string& name) { run.memory_trace_format = parse_memory_trace_format(name); },
+          "Whose format: dramsim3 (default), ramulator, ramulator2")
+      ->option_text("NAME")
+      ->needs(trace)
+      ->group("Output");
+  command.add_flag("--force", run.force, "Replace an earlier run's folder, or an existing FILE")->group("Output");
   command.add_flag("--quiet", run.quiet, "No summary, no notes, no progress bar")->group("Output");
   command.add_flag("--list-stats", run.list_stats, "Print the names of all reported numbers, and end")->group("Output");
   command.add_flag("--dry-run", run.dry_run, "Check all input, write nothing and end")->group("Output");

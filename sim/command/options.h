@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/driver/simulator.h"
+#include "sim/report/memory_trace.h"
 
 namespace artu::sim {
 
@@ -21,8 +22,9 @@ struct RunOptions {
   std::vector<std::string> config_files, assignments;
   SimulationOptions simulation;
   bool check = false;
-  bool folder_by_default = true;  // without `output`: a folder in runs/, or none
-  std::string output, pixel_csv;  // "" = none given
+  bool folder_by_default = true;                // without `output`: a folder in runs/, or none
+  std::string output, pixel_csv, memory_trace;  // "" = none given
+  MemoryTraceFormat memory_trace_format = MemoryTraceFormat::dramsim3;
   bool dump_config = false, list_params = false, list_stats = false;
   bool dry_run = false, force = false, quiet = false;
   std::vector<std::string> command;  // the words of the command line

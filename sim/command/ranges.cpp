@@ -144,6 +144,18 @@ std::vector<hw::TreeKind> parse_trees(const std::string& text) {
   return trees;
 }
 
+MemoryTraceFormat parse_memory_trace_format(const std::string& text) {
+  static constexpr std::pair<const char*, MemoryTraceFormat> formats[] = {
+      {"dramsim3", MemoryTraceFormat::dramsim3},
+      {"ramulator", MemoryTraceFormat::ramulator},
+      {"ramulator2", MemoryTraceFormat::ramulator2}};
+  for (const auto& [name, format] : formats) {
+    if (text == name) return format;
+  }
+  throw InputError("--memory-trace-format",
+                   fmt::format("\"{}\" is no format; dramsim3, ramulator or ramulator2 would be right", text));
+}
+
 std::uint64_t parse_seed(const std::string& text) {
   if (const auto seed = parse_number<std::uint64_t>(text)) return *seed;
   throw InputError("--seed", fmt::format("\"{}\" is not a seed; an integer from 0 to 2^64 - 1 would be right", text));

@@ -1,4 +1,5 @@
-// Options that are more than a word: `--frames`, `--size`, `--seed`, `--inject-fault`, `--log`, `--bits`, `--trees`.
+// Options that are more than a word: `--frames`, `--size`, `--seed`, `--inject-fault`, `--log`, `--bits`, `--trees`,
+// `--memory-trace-format`.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 
 #include "hw/run_mode.h"
 #include "hw/unit_config.h"
+#include "sim/report/memory_trace.h"
 
 namespace artu::sim {
 
@@ -39,6 +41,9 @@ std::vector<hw::PrecisionConfig> parse_formats(const std::string& text);
 
 /// Names of trees between commas: bvh2, bvh4, bvh8, kd.  Throws InputError.
 std::vector<hw::TreeKind> parse_trees(const std::string& text);
+
+/// dramsim3, ramulator or ramulator2.  Throws InputError.
+MemoryTraceFormat parse_memory_trace_format(const std::string& text);
 
 /// 0 ... 2^64 - 1.  Throws InputError.
 std::uint64_t parse_seed(const std::string& text);

@@ -93,6 +93,7 @@ int run_command(const RunOptions& options) {
   const FrameSource source(options.source, log);
   SimulationOptions simulation = options.simulation;
   simulation.log_sink = [](const std::string& line) { fmt::print(stderr, "log: {}\n", line); };
+  if (report) simulation.memory_observer = report->memory_observer();
   Simulator simulator(source.scene(), unit, simulation);
   if (options.dry_run) {
     print_notes(log, options.quiet);

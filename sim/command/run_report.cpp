@@ -7,6 +7,7 @@
 #include "sim/report/pictures.h"
 #include "sim/report/pixel_csv.h"
 #include "sim/report/stats_text.h"
+#include "traces/error.h"
 
 namespace artu::sim {
 
@@ -30,6 +31,12 @@ RunReport::RunReport(const RunOptions& options) {
     csv_ = std::make_unique<AtomicFile>(options.pixel_csv, options.force);
     csv_->write(pixel_csv_header);
   }
+  if (!options.memory_trace.empty()) {
+    if (options.memory_trace == options.pixel_csv) {
+      throw InputError("--memory-trace", "is the file of --dump-pixels as well; another name would be right");
+    }
+    memory_trace_ = std::make_unique<MemoryTrace>(options.memory_trace, options.memory_trace_format, options.force);
+  }
   if (!options.output.empty()) {
     folder_.emplace(options.output, options.force);
   } else if (options.folder_by_default) {
@@ -39,6 +46,7 @@ RunReport::RunReport(const RunOptions& options) {
 }
 
 void RunReport::add(const FrameOutcome& outcome, const Totals& frame, const hw::UnitConfig& unit) {
+  if (memory_trace_) memory_trace_->end_frame(outcome.cycles * unit.memory.dram.clock_mhz / unit.clock_mhz);
   if (csv_) pixel_csv_rows(outcome, [this](const std::string& rows) { csv_->write(rows); });
   if (!folder_) return;
   const std::string number = fmt::format("_{:04}.png", outcome.index);
@@ -61,6 +69,7 @@ void RunReport::finish(const Totals& sum, const hw::UnitConfig& unit, const Mani
     folder_->commit();
   }
   if (csv_) csv_->close();
+  if (memory_trace_) memory_trace_->close();
 }
 
 }  // namespace artu::sim

@@ -23,6 +23,8 @@ class RunReport {
   /// Refuses what exists, before anything slow begins.
   explicit RunReport(const RunOptions& options);
   void add(const FrameOutcome& outcome, const Totals& frame, const hw::UnitConfig& unit);
+  /// For the simulator whose frames are added; must not outlive the report.
+  hw::MemoryObserver memory_observer() { return memory_trace_ ? memory_trace_->observer() : hw::MemoryObserver{}; }
   void finish(const Totals& sum, const hw::UnitConfig& unit, const Manifest& manifest, const CheckResult* check);
   /// "" where none was asked for.
   std::string folder() const { return folder_ ? folder_->name() : ""; }
@@ -30,6 +32,7 @@ class RunReport {
  private:
   std::optional<RunFolder> folder_;
   std::unique_ptr<AtomicFile> csv_;
+  std::unique_ptr<MemoryTrace> memory_trace_;
   std::unique_ptr<StatsJson> json_;
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "hw/ray_tracing_unit.h"
 #include "sim/driver/image_builder.h"
 #include "traces/error.h"
 
@@ -43,12 +42,35 @@ std::uint64_t sum(const hw::Statistics& statistics, const std::string& name) {
 
 }  // namespace
 
+FrameOutcome outcome_of(const traces::Scene& scene, const traces::Frame& frame, hw::FrameResult result) {
+  FrameOutcome outcome;
+  outcome.index = frame.index;
+  outcome.width = scene.width;
+  outcome.height = scene.height;
+  outcome.cycles = result.cycles;
+  outcome.static_triangles = scene.static_geometry.triangle_count();
+  outcome.dynamic_triangles = frame.dynamic.triangle_count();
+  outcome.rays_primary = sum(result.statistics, "primary_rays");
+  outcome.rays_shadow = sum(result.statistics, "shadow_rays");
+  outcome.rays_reflection = sum(result.statistics, "reflection_rays");
+  outcome.rays_refraction = sum(result.statistics, "refraction_rays");
+  outcome.node_visits = sum(result.statistics, "node_visits");
+  outcome.triangle_tests = sum(result.statistics, "triangle_tests");
+  outcome.dram_read_bytes = sum(result.statistics, "read_bytes");
+  outcome.dram_write_bytes = sum(result.statistics, "write_bytes");
+  outcome.statistics = std::move(result.statistics);
+  outcome.violations = std::move(result.violations);
+  return outcome;
+}
+
 struct Simulator::Impl {
   Impl(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options)
       : scene(scene),
         config(config),
         builder(scene, config.accel, image, spilling_contexts(config.core)),
-        unit("unit", config, mode_of(options), image, options.fault) {}
+        unit("unit", config, mode_of(options), image, options.fault) {
+    dynamic_cast<hw::Dram&>(unit.dram).observe(options.memory_observer);
+  }
 
   /// A rule of the log that fits no block is a mistake of whoever wrote it.
   void check_log(const std::vector<hw::LogRule>& rules) const {
@@ -96,29 +118,14 @@ FrameOutcome Simulator::run(const traces::Frame& frame) {
   const hw::Address descriptor = impl.builder.add(frame);
   impl.check_stack(frame);
 
-  FrameOutcome outcome;
-  outcome.index = frame.index;
-  outcome.width = impl.scene.width;
-  outcome.height = impl.scene.height;
-  outcome.pixels.resize(std::size_t{impl.scene.width} * impl.scene.height);
+  hw::PixelRecords pixels(std::size_t{impl.scene.width} * impl.scene.height);
   const auto before = std::chrono::steady_clock::now();
-  hw::FrameResult result = impl.unit.run(descriptor, &outcome.pixels);
-  outcome.simulation_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+  hw::FrameResult result = impl.unit.run(descriptor, &pixels);
+  const auto after = std::chrono::steady_clock::now();
   if (result.dead_locked) throw DeadLock("frame " + std::to_string(frame.index) + ": " + result.picture);
-
-  outcome.cycles = result.cycles;
-  outcome.static_triangles = impl.scene.static_geometry.triangle_count();
-  outcome.dynamic_triangles = frame.dynamic.triangle_count();
-  outcome.rays_primary = sum(result.statistics, "primary_rays");
-  outcome.rays_shadow = sum(result.statistics, "shadow_rays");
-  outcome.rays_reflection = sum(result.statistics, "reflection_rays");
-  outcome.rays_refraction = sum(result.statistics, "refraction_rays");
-  outcome.node_visits = sum(result.statistics, "node_visits");
-  outcome.triangle_tests = sum(result.statistics, "triangle_tests");
-  outcome.dram_read_bytes = sum(result.statistics, "read_bytes");
-  outcome.dram_write_bytes = sum(result.statistics, "write_bytes");
-  outcome.statistics = std::move(result.statistics);
-  outcome.violations = std::move(result.violations);
+  FrameOutcome outcome = outcome_of(impl.scene, frame, std::move(result));
+  outcome.pixels = std::move(pixels);
+  outcome.simulation_seconds = std::chrono::duration<double>(after - before).count();
   return outcome;
 }
 

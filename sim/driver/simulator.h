@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hw/fabric/statistics.h"
-#include "hw/pixel_record.h"
+#include "hw/ray_tracing_unit.h"
 #include "hw/run_mode.h"
 #include "hw/unit_config.h"
 #include "traces/frame.h"
@@ -17,13 +16,14 @@ namespace artu::sim {
 
 /// How the model is run; only `fault` changes a pixel, only `random_stall` and `fault` change cycles.
 struct SimulationOptions {
-  bool clocked = false;          // tick every block in every cycle, not only those that are awake
-  bool random_stall = false;     // random extra latency on every channel
-  bool shuffle_ticks = false;    // random order of blocks within each cycle
-  std::uint64_t seed = 1;        // of the two above
-  std::vector<hw::LogRule> log;  // which blocks write to the log
-  hw::LogSink log_sink;          // where to; needed where there is a rule
-  hw::Fault fault;               // a datapath's result is falsified, to show that a check sees it
+  bool clocked = false;                // tick every block in every cycle, not only those that are awake
+  bool random_stall = false;           // random extra latency on every channel
+  bool shuffle_ticks = false;          // random order of blocks within each cycle
+  std::uint64_t seed = 1;              // of the two above
+  std::vector<hw::LogRule> log;        // which blocks write to the log
+  hw::LogSink log_sink;                // where to; needed where there is a rule
+  hw::Fault fault;                     // a datapath's result is falsified, to show that a check sees it
+  hw::MemoryObserver memory_observer;  // told of every request that reaches the DRAM
 };
 
 /// One frame as the unit rendered it.
@@ -40,6 +40,9 @@ struct FrameOutcome {
   std::vector<std::string> violations;  // accounting laws that do not hold: must be empty
   double simulation_seconds = 0;        // the unit alone; loading and tree builds are not in it
 };
+
+/// What the host takes from the unit's result; without pixels and wall time.
+FrameOutcome outcome_of(const traces::Scene& scene, const traces::Frame& frame, hw::FrameResult result);
 
 /// The watchdog found that no token moves; what() is the picture of who waits for whom.  Exit code 3.
 class DeadLock : public std::runtime_error {

@@ -33,9 +33,11 @@ ProgramTest::ProgramTest() {
 
 ProgramTest::~ProgramTest() { fs::remove_all(folder_); }
 
-Finished ProgramTest::artu(const std::vector<std::string>& args) const {
+Finished ProgramTest::artu(const std::vector<std::string>& args) const { return program(ARTU_BINARY, args); }
+
+Finished ProgramTest::program(const std::string& binary, const std::vector<std::string>& args) const {
   const std::string out = folder_.string() + ".out", err = folder_.string() + ".err";
-  std::vector<char*> argv{const_cast<char*>(ARTU_BINARY)};
+  std::vector<char*> argv{const_cast<char*>(binary.c_str())};
   for (const std::string& arg : args) argv.push_back(const_cast<char*>(arg.c_str()));
   argv.push_back(nullptr);
   const pid_t child = fork();
@@ -43,7 +45,7 @@ Finished ProgramTest::artu(const std::vector<std::string>& args) const {
     redirect(STDOUT_FILENO, out);
     redirect(STDERR_FILENO, err);
     if (chdir(folder_.c_str()) != 0) _exit(127);
-    execv(ARTU_BINARY, argv.data());
+    execv(binary.c_str(), argv.data());
     _exit(127);
   }
   int status = 0;

@@ -22,7 +22,9 @@ class ProgramTest : public ::testing::Test {
 
   /// `artu ARGS`, with the test's folder as its working directory.
   Finished artu(const std::vector<std::string>& args) const;
-  /// The same, and expects exit code 0.
+  /// The same for another program.
+  Finished program(const std::string& binary, const std::vector<std::string>& args) const;
+  /// `artu ARGS`, and expects exit code 0.
   Finished fine(const std::vector<std::string>& args) const;
   /// The same, and expects exit code 2, nothing on stdout, and one line on stderr, which is returned.
   std::string refused(const std::vector<std::string>& args) const;

@@ -151,5 +151,14 @@ TEST(Dram, WaitsForAFullResponseChannel) {
   EXPECT_GT(m.dram.cycles_in(State::stall_out), 3000u);
 }
 
+TEST(Dram, ItsObserverSeesEachRequestInTheClockInWhichItIsTaken) {
+  Memory m(config_of());
+  std::vector<std::pair<Cycle, Address>> seen;
+  m.dram.observe([&seen](Cycle cycle, const MemoryRequest& request) { seen.emplace_back(cycle, request.line); });
+  m.client.requests.push_at(9, read_of(640)).push_at(9, write_of(128, whole_line)).push_at(99, read_of(64));
+  m.run();
+  EXPECT_EQ(seen, (std::vector<std::pair<Cycle, Address>>{{10, 640}, {11, 128}, {100, 64}}));
+}
+
 }  // namespace
 }  // namespace artu::hw::test
