@@ -92,7 +92,8 @@ int run_command(const RunOptions& options) {
   const FrameSource source(options.source, log);
   SimulationOptions simulation = options.simulation;
   simulation.log_sink = [](const std::string& line) { fmt::print(stderr, "log: {}\n", line); };
-  Simulator simulator(source.scene(), unit, simulation);
+  Simulator simulator(source.scene(), unit, simulation,
+                      [&source](std::uint32_t index) { return source.first_from(index); });
   if (options.dry_run) {
     print_notes(log, options.quiet);
     print_dry_run(options, source);

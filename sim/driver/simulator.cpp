@@ -40,10 +40,10 @@ std::uint64_t sum(const hw::Statistics& statistics, const std::string& name) {
 }  // namespace
 
 struct Simulator::Impl {
-  Impl(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options)
+  Impl(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options, FrameFrom frames)
       : scene(scene),
         config(config),
-        builder(scene, config.accel, image),
+        builder(scene, config, std::move(frames), image),
         unit("unit", config, mode_of(options), image, options.fault) {}
 
   /// A rule of the log that fits no block is a mistake of whoever wrote it.
@@ -76,8 +76,9 @@ struct Simulator::Impl {
   hw::RayTracingUnit unit;
 };
 
-Simulator::Simulator(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options)
-    : impl_(std::make_unique<Impl>(scene, config, options)) {
+Simulator::Simulator(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options,
+                     FrameFrom frames)
+    : impl_(std::make_unique<Impl>(scene, config, options, std::move(frames))) {
   impl_->check_log(options.log);
 }
 
@@ -102,6 +103,7 @@ FrameOutcome Simulator::run(const traces::Frame& frame) {
   outcome.cycles = result.cycles;
   outcome.static_triangles = impl.scene.static_geometry.triangle_count();
   outcome.dynamic_triangles = frame.dynamic.triangle_count();
+  outcome.dynamic_tree = impl.builder.dynamic_quality();
   outcome.rays_primary = sum(result.statistics, "primary_rays");
   outcome.rays_shadow = sum(result.statistics, "shadow_rays");
   outcome.rays_reflection = sum(result.statistics, "reflection_rays");
