@@ -59,6 +59,7 @@ void RayCoreConfig::visit(ParameterVisitor& v) {
 }
 
 void AccelConfig::visit(ParameterVisitor& v) {
+  v.integer("leaf_size", leaf_size, {1, 16}, "triangles", "largest leaf, of any kind of tree");
   const auto kind = [&v](const char* group, const char* text, TreeKind& value) {
     v.enter(group, text);
     v.choice("kind", value, {"bvh2", "bvh4", "bvh8", "kd"},
@@ -88,10 +89,26 @@ void SelectiveConfig::visit(ParameterVisitor& v) {
 }
 
 void TreeBuilderConfig::visit(ParameterVisitor& v) {
+  v.choice("algorithm", algorithm, {"sah", "morton"},
+           "binned surface-area heuristic, or sorted Morton codes (a BVH alone); the tree is built by the same");
+  v.flag("refit", refit, "keep a BVH's nodes between full builds and only make their boxes anew");
+  v.integer("refit_interval", refit_interval, {1, 1u << 20}, "frames", "from one full build to the next, with refit");
   v.integer("triangles_per_pass", triangles_per_pass, {16, 1u << 20, true}, "triangles",
-            "subtrees of at most this size are built on chip, without memory traffic for each level");
+            "what is no larger is split or sorted on chip, without memory traffic");
+  v.integer("cycles_per_record", cycles_per_record, {1, 1000}, "cycles",
+            "to read and pass on a triangle, its attributes, or a key of a sorting pass");
   v.integer("cycles_per_triangle", cycles_per_triangle, {1, 1000}, "cycles",
-            "for each triangle at each level of the tree");
+            "sah: to partition and bin a triangle at a level of the tree, in one binning unit");
+  v.integer("binning_units", binning_units, {1, 64}, "", "sah: triangles that are binned at a time");
+  v.integer("bins", bins, {2, 256, true}, "", "sah: bins that are swept for each node, the axes side by side");
+  v.integer("cycles_per_bin", cycles_per_bin, {1, 1000}, "cycles", "sah: for each bin of the sweep");
+  v.integer("code_bits", code_bits, {4, 21}, "bits", "morton: of a code, for each axis; above 10 keys are wider");
+  v.flag("known_box", known_box,
+         "morton: the grid is the root box, as the driver gives it; false finds the box of all centres in a pass");
+  v.integer("digit_bits", digit_bits, {1, 16}, "bits", "morton: digit of the radix sort, one pass each");
+  v.integer("cycles_per_node", cycles_per_node, {1, 1000}, "cycles", "morton: to emit a node of the hierarchy");
+  v.integer("cycles_per_box", cycles_per_box, {1, 1000}, "cycles",
+            "morton, refit: to enlarge a node's box by a triangle's or a child's");
   v.integer("outstanding", outstanding, {1, 256}, "", "memory requests in flight");
 }
 

@@ -78,6 +78,7 @@ enum class TreeKind : std::uint32_t { bvh2, bvh4, bvh8, kd };
 /// Acceleration structures, one for each class of geometry.
 struct AccelConfig {
   TreeKind static_kind = TreeKind::bvh2, dynamic_kind = TreeKind::bvh2;
+  std::uint32_t leaf_size = 4;  // triangles
   void visit(ParameterVisitor& v);
 };
 
@@ -97,10 +98,23 @@ struct MemoryConfig {
   void visit(ParameterVisitor& v);
 };
 
+enum class BuildAlgorithm : std::uint8_t { sah, morton };
+
 struct TreeBuilderConfig {
-  std::uint32_t triangles_per_pass = 1024;  // held on chip: levels below need no traffic
-  std::uint32_t cycles_per_triangle = 9;    // for each triangle at each level
-  std::uint32_t outstanding = 8;            // memory requests in flight
+  BuildAlgorithm algorithm = BuildAlgorithm::sah;
+  bool refit = false;                       // between full builds, only the boxes are made anew
+  std::uint32_t refit_interval = 8;         // frames from one full build to the next
+  std::uint32_t triangles_per_pass = 1024;  // held on chip: what is no larger needs no traffic
+  std::uint32_t cycles_per_record = 1;      // to read and pass on a triangle, its attributes or a key
+  std::uint32_t cycles_per_triangle = 4;    // sah: of a binning unit, for each reference at each level
+  std::uint32_t binning_units = 1;
+  std::uint32_t bins = 16, cycles_per_bin = 1;  // sah: to find the best plane of a node
+  std::uint32_t code_bits = 10;                 // morton: for each axis
+  bool known_box = false;                       // morton: the grid is the root box, without a pass to find one
+  std::uint32_t digit_bits = 8;                 // morton: sorted by in one pass
+  std::uint32_t cycles_per_node = 1;            // morton: to emit a node
+  std::uint32_t cycles_per_box = 1;             // morton, refit: to enlarge a box by another
+  std::uint32_t outstanding = 32;               // memory requests in flight
   void visit(ParameterVisitor& v);
 };
 

@@ -107,6 +107,16 @@ struct alignas(64) LightRecord {
 /// Where a context's traversal stack overflows to: a slot of 16 bytes an entry (node, enter, exit).
 inline constexpr Address spill_entry_bytes = 16, spill_bytes = 128 * spill_entry_bytes;
 
+/// What a top-down build of this frame's tree comes to: the cost of splitting is that of the very tree.
+struct BuildWork {
+  std::uint32_t splits;            // inner nodes of the binary tree (of a kd-tree: planes)
+  std::uint32_t upper_splits;      // those of more references than fit on chip
+  std::uint64_t references;        // summed over the splits: each handles every reference below it
+  std::uint64_t upper_references;  // summed over the upper splits
+  std::uint32_t upper_levels;      // of the tree, with upper splits
+  std::uint32_t lower_references;  // of the subtrees below the upper splits: in a kd-tree more than triangles
+};
+
 /// What the control unit reads at the start of a frame.
 struct alignas(64) FrameDescriptor {
   std::uint32_t width, height;
@@ -117,16 +127,19 @@ struct alignas(64) FrameDescriptor {
   Address static_triangles, dynamic_triangles;
   Address static_attributes, dynamic_attributes;
   Address materials, lights;
-  Address frame_buffer;  // 4 bytes a pixel (R, G, B, 255), rows of `pitch` pixels
-  Address hit_classes;   // 1 byte a pixel (HitClass), rows of `pitch` pixels
-  Address build_input, build_scratch;
-  Address stack_spills;  // spill_bytes for every context of every core; 0 unless the unit spills
-  std::uint32_t pitch;   // pixels, a multiple of 64
+  Address frame_buffer;   // 4 bytes a pixel (R, G, B, 255), rows of `pitch` pixels
+  Address hit_classes;    // 1 byte a pixel (HitClass), rows of `pitch` pixels
+  Address build_input;    // triangles in the mesh's order, a line each, then their attributes, a line each
+  Address build_scratch;  // two areas of 16 bytes a triangle record, each a whole number of lines
+  Address stack_spills;   // spill_bytes for every context of every core; 0 unless the unit spills
+  std::uint32_t pitch;    // pixels, a multiple of 64
   std::uint32_t light_count;
   std::uint32_t dynamic_triangle_count;
   std::uint32_t dynamic_reference_count;  // triangle records: more than triangles in a kd-tree
   std::uint32_t dynamic_node_lines;
   std::uint32_t dynamic_moved;
+  std::uint32_t dynamic_refit;  // 1: the nodes are those of an earlier frame, their boxes are made anew
+  BuildWork build;
   CameraRegisters camera;
   Vector ambient, sky_nadir, sky_zenith;
 };

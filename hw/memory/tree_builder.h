@@ -1,20 +1,20 @@
 // Rebuilds the tree of the dynamic geometry at the start of a frame in which it moved.
 //
 // In:  `build` from the control unit.   Out: `built`; reads and writes of the memory.
-// The tree itself is laid down by the driver; this block is its cost.  Top-down construction: the triangles are read
-// once and a 16-byte reference of each is written; at every level whose subtrees do not fit on chip the references are
-// read and written again; then nodes, triangles and attributes are written in the tree's order.
-// Time: `cycles_per_triangle` for each triangle at each of ceil(log2(n)) levels, overlapped with the level's traffic,
-// of which one line a cycle is issued with at most `outstanding` in flight, from one cycle after the level begins; the
-// first step (references) computes one cycle a triangle.
-// Stalls: stall_mem when a level's computing is done and its traffic is not.
+// The tree itself is laid down by the driver, by the algorithm that is configured; this block is its cost: the steps of
+// build_plan.h, one after the other.
+// Time: a step takes what its computing takes or its traffic, whichever is more.  Its lines are issued one a cycle from
+// the cycle on in which it begins, at most `outstanding` in flight, the streams in proportion to their lengths; it ends
+// with the last answer.  The next step begins in the same cycle; `built` is pushed in that in which the last one ends.
+// Stalls: stall_mem when a step's computing is done and its traffic is not.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "hw/fabric/memory_port.h"
 #include "hw/frame_registers.h"
-#include "hw/unit_config.h"
+#include "hw/memory/build_plan.h"
 
 namespace artu::hw {
 
@@ -36,19 +36,9 @@ class TreeBuilder : public Block {
   std::string describe() const override;
 
  private:
-  /// A step streams lines in and out while it computes.
-  struct Stream {
-    Address base;
-    std::uint64_t lines;
-    bool write;
-  };
-  struct Step {
-    std::vector<Stream> streams;
-    std::uint64_t compute = 0;  // cycles
-  };
-
   Activity tick(Cycle now) override;
-  void plan();
+  void begin_build();
+  void begin_step(Cycle now);
   bool issue();
 
   const TreeBuilderConfig config_;
@@ -56,13 +46,14 @@ class TreeBuilder : public Block {
   MemoryLink* memory_ = nullptr;
   Fifo<BuildToken>* build_ = nullptr;
   Fifo<BuildToken>* built_ = nullptr;
-  std::vector<Step> steps_;
-  std::size_t step_ = 0, stream_ = 0;
-  std::uint64_t line_ = 0;
-  Cycle computed_at_ = 0;
+  std::vector<BuildStep> steps_;
+  std::size_t step_ = 0;                  // steps_.size(): no build goes on
+  std::vector<std::uint64_t> issued_;     // lines of each of the step's streams
+  std::uint64_t left_ = 0;                // lines of the step that are not issued yet
+  Cycle began_at_ = 0, computed_at_ = 0;  // the step
   std::uint32_t outstanding_ = 0;
-  bool active_ = false;
-  std::uint64_t builds_ = 0, triangles_ = 0, lines_read_ = 0, lines_written_ = 0;
+  std::uint64_t builds_ = 0, refits_ = 0, triangles_ = 0, lines_read_ = 0, lines_written_ = 0;
+  std::array<std::uint64_t, build_stages> stage_cycles_{};
 };
 
 }  // namespace artu::hw

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "traces/error.h"
 
@@ -83,6 +85,22 @@ traces::Frame FrameSource::frame(std::uint32_t index) const {
     if (frame.index == index) return frame;
   }
   throw InputError(path_, fmt::format("has no frame {}; --frames with one that it holds would be right", index));
+}
+
+traces::Frame FrameSource::first_from(std::uint32_t index) const {
+  if (scene_) return scene_->frame(index);
+  const std::uint32_t count = reader_->scene().frame_count, place = std::max(index, first_index_) - first_index_;
+  if (place < count) {
+    traces::Frame frame = reader_->frame(place);
+    if (frame.index == std::max(index, first_index_)) return frame;
+  }
+  std::optional<traces::Frame> first;  // in a trace that leaves frames out
+  for (std::uint32_t position = 0; position < count; ++position) {
+    traces::Frame frame = reader_->frame(position);
+    if (frame.index >= index && (!first || frame.index < first->index)) first = std::move(frame);
+  }
+  if (!first) throw InputError(path_, fmt::format("has no frame {} or later", index));
+  return *first;
 }
 
 }  // namespace artu::sim

@@ -17,7 +17,8 @@ class FrameSource {
   /// Checks every option against the file.  Notes of the importer go to `log`.
   FrameSource(const SourceOptions& options, std::vector<std::string>& log);
   const traces::Scene& scene() const;
-  traces::Frame frame(std::uint32_t index) const;  // any index of range()
+  traces::Frame frame(std::uint32_t index) const;       // any index of range()
+  traces::Frame first_from(std::uint32_t index) const;  // the frame of any index, or a trace's next one after it
   FrameRange range() const { return range_; }
   bool is_trace() const { return reader_ != nullptr; }
 

@@ -10,6 +10,7 @@
 #include "sim/command/progress.h"
 #include "sim/command/run_report.h"
 #include "sim/config/configuration.h"
+#include "sim/config/cross_check.h"
 #include "sim/config/dump.h"
 #include "sim/precision/gnuplot.h"
 #include "sim/precision/plot.h"
@@ -38,6 +39,11 @@ SweepPlan plan_of(const PrecisionOptions& options, const FrameRange& frames) {
   plan.unit = Configuration::of(options.config_files, options.assignments).unit();
   plan.trees = options.trees;
   if (plan.trees.empty()) plan.trees.assign(std::begin(all_trees), std::end(all_trees));
+  for (const hw::TreeKind tree : plan.trees) {
+    hw::UnitConfig unit = plan.unit;
+    unit.accel.static_kind = unit.accel.dynamic_kind = tree;
+    cross_check(unit, {});
+  }
   plan.formats = options.formats;
   if (plan.formats.empty()) {
     for (const std::uint32_t m : default_bits) plan.formats.push_back({m, m, m});
@@ -108,6 +114,7 @@ int precision_command(const PrecisionOptions& options) {
     Progress progress(sweep_steps(plan), "frames", options.quiet);
     SweepHooks hooks;
     hooks.frame = [&](std::uint32_t index) { return source.frame(index); };
+    hooks.frame_from = [&](std::uint32_t index) { return source.first_from(index); };
     hooks.picture = [&](const std::string& name, std::uint32_t index, const Image& image) {
       pictures.write(name, index, image);
     };

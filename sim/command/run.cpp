@@ -94,7 +94,8 @@ int run_command(const RunOptions& options) {
   SimulationOptions simulation = options.simulation;
   simulation.log_sink = [](const std::string& line) { fmt::print(stderr, "log: {}\n", line); };
   if (report) simulation.memory_observer = report->memory_observer();
-  Simulator simulator(source.scene(), unit, simulation);
+  Simulator simulator(source.scene(), unit, simulation,
+                      [&source](std::uint32_t index) { return source.first_from(index); });
   if (options.dry_run) {
     print_notes(log, options.quiet);
     print_dry_run(options, source);

@@ -82,6 +82,15 @@ void cross_check(const hw::UnitConfig& unit, const Places& places) {
                                  "would be right",
                                  banks, unit.memory.l2.mshrs, unit.memory.l2.mshrs));
   }
+  const hw::TreeBuilderConfig& builder = unit.tree_builder;
+  const bool morton = builder.algorithm == hw::BuildAlgorithm::morton;
+  if (unit.accel.dynamic_kind == hw::TreeKind::kd && (morton || builder.refit)) {
+    const std::string parameter = morton ? "tree_builder.algorithm" : "tree_builder.refit";
+    throw InputError(place_of(places, {parameter, "accel.dynamic.kind"}),
+                     fmt::format("{} = {} does not go with accel.dynamic.kind = kd; a kd-tree is built anew by sah, so "
+                                 "{} or a BVH would be right",
+                                 parameter, morton ? "morton" : "true", morton ? "sah" : "false"));
+  }
   hw::UnitConfig copy = unit;
   CacheCheck caches(unit.memory.line, places);
   copy.visit(caches);

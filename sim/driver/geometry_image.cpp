@@ -36,9 +36,7 @@ hw::AttributeRecord attribute_record(const traces::Mesh& mesh, std::size_t trian
 
 }  // namespace
 
-LaidGeometry lay_geometry(const traces::Mesh& mesh, hw::TreeKind kind, bool dynamic, std::uint32_t first_id,
-                          const std::string& where, hw::MemoryImage& image) {
-  const Tree tree = build_tree(mesh, kind, dynamic, where);
+LaidGeometry lay_geometry(const traces::Mesh& mesh, const Tree& tree, std::uint32_t first_id, hw::MemoryImage& image) {
   LaidGeometry geometry;
   geometry.kind = tree.kind;
   geometry.root = tree.root;

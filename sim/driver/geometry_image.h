@@ -1,8 +1,6 @@
 // The triangles of a class and their tree, laid down in the unit's memory.
 #pragma once
 
-#include <string>
-
 #include "hw/memory/image.h"
 #include "sim/driver/tree.h"
 #include "traces/frame.h"
@@ -20,10 +18,8 @@ struct LaidGeometry {
   std::uint32_t stack = 0;       // entries that a traversal needs at most
 };
 
-/// Builds the tree and lays everything down at the image's end.  Triangles have the global ids from `first_id` on;
-/// `where` is for messages.  Throws InputError as build_tree does.
-LaidGeometry lay_geometry(const traces::Mesh& mesh, hw::TreeKind kind, bool dynamic, std::uint32_t first_id,
-                          const std::string& where, hw::MemoryImage& image);
+/// Lays the mesh and its tree down at the image's end.  Triangles have the global ids from `first_id` on.
+LaidGeometry lay_geometry(const traces::Mesh& mesh, const Tree& tree, std::uint32_t first_id, hw::MemoryImage& image);
 
 /// Fills in what a frame's descriptor has of both classes' trees, triangles and attributes.
 void describe(const LaidGeometry& fixed, const LaidGeometry& dynamic, hw::FrameDescriptor& frame);

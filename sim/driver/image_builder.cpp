@@ -24,20 +24,30 @@ hw::LightRecord light_record(const traces::Light& light) {
   return record;
 }
 
+/// Static geometry is built by the driver itself, so by SAH.
+TreeRecipe static_recipe(const hw::AccelConfig& accel) { return {accel.static_kind, accel.leaf_size, {}}; }
+
 }  // namespace
 
-ImageBuilder::ImageBuilder(const traces::Scene& scene, const hw::AccelConfig& accel, hw::MemoryImage& image,
-                           std::uint32_t spilling_contexts)
-    : scene_(scene), accel_(accel), image_(image), pitch_((scene.width + 63) / 64 * 64) {
+ImageBuilder::ImageBuilder(const traces::Scene& scene, const hw::UnitConfig& unit, FrameFrom frames,
+                           hw::MemoryImage& image)
+    : scene_(scene),
+      dynamic_trees_({unit.accel.dynamic_kind, unit.accel.leaf_size, unit.tree_builder}, std::move(frames)),
+      image_(image),
+      pitch_((scene.width + 63) / 64 * 64) {
   const std::uint64_t pixels = std::uint64_t{pitch_} * scene.height;
   frame_buffer_ = image_.allocate(pixels * 4);
   hit_classes_ = image_.allocate(pixels);
-  if (spilling_contexts != 0) stack_spills_ = image_.allocate(spilling_contexts * hw::spill_bytes);
+  if (unit.core.stack_overflow == hw::StackOverflow::spill) {
+    stack_spills_ = image_.allocate(hw::Address{unit.core.count} * unit.core.contexts * hw::spill_bytes);
+  }
   std::vector<hw::Address> textures;
   textures.reserve(scene.textures.size());
   for (const traces::Texture& texture : scene.textures) textures.push_back(add_texture(texture));
   materials_ = add_materials(textures);
-  static_ = lay_geometry(scene.static_geometry, accel.static_kind, false, 0, scene.name + ": static geometry", image_);
+  const Tree tree =
+      build_tree(scene.static_geometry, static_recipe(unit.accel), false, scene.name + ": static geometry");
+  static_ = lay_geometry(scene.static_geometry, tree, 0, image_);
   shared_top_ = image_.size();
 }
 
@@ -92,11 +102,13 @@ hw::Address ImageBuilder::add(const traces::Frame& frame) {
     image_.at<hw::LightRecord>(lights + i * sizeof(hw::LightRecord)) = light_record(frame.lights[i]);
   }
   const std::size_t count = frame.dynamic.triangle_count();
-  // The builder's input: triangles in the mesh's order, a line each; its scratch: 16 bytes a triangle.
-  const hw::Address input = image_.allocate(count * 64);
-  const hw::Address scratch = image_.allocate(count * 16);
+  const DynamicTree built = dynamic_trees_.of(frame, where);
+  dynamic_quality_ = quality_of(built.tree);
+  // The tree builder's input and scratch memory: see FrameDescriptor.
+  const hw::Address input = image_.allocate(count * 2 * 64);
+  const hw::Address scratch = image_.allocate((built.tree.order.size() * 16 + 63) / 64 * 64 * 2);
   const auto static_count = static_cast<std::uint32_t>(scene_.static_geometry.triangle_count());
-  const LaidGeometry dynamic = lay_geometry(frame.dynamic, accel_.dynamic_kind, true, static_count, where, image_);
+  const LaidGeometry dynamic = lay_geometry(frame.dynamic, built.tree, static_count, image_);
   // The root of one tree waits on the stack while the other is walked.
   stack_needed_ = std::max(static_.stack, dynamic.stack) + 1;
 
@@ -116,7 +128,9 @@ hw::Address ImageBuilder::add(const traces::Frame& frame) {
   d.dynamic_triangle_count = static_cast<std::uint32_t>(count);
   d.dynamic_reference_count = dynamic.references;
   d.dynamic_node_lines = dynamic.node_lines;
-  d.dynamic_moved = frame.dynamic_moved ? 1 : 0;
+  d.dynamic_moved = built.moved ? 1 : 0;
+  d.dynamic_refit = built.refitted ? 1 : 0;
+  d.build = built.tree.work;
   const traces::Camera& camera = frame.camera;
   d.camera = {vector(camera.origin), vector(camera.origin_du), vector(camera.origin_dv),
               vector(camera.corner), vector(camera.du),        vector(camera.dv)};

@@ -28,10 +28,6 @@ hw::RunMode mode_of(const SimulationOptions& options) {
   return {options.clocked, options.shuffle_ticks, options.random_stall, options.seed, options.log, options.log_sink};
 }
 
-std::uint32_t spilling_contexts(const hw::RayCoreConfig& core) {
-  return core.stack_overflow == hw::StackOverflow::spill ? core.count * core.contexts : 0;
-}
-
 std::uint64_t sum(const hw::Statistics& statistics, const std::string& name) {
   std::uint64_t total = 0;
   for (const hw::Statistic& s : statistics) {
@@ -64,10 +60,10 @@ FrameOutcome outcome_of(const traces::Scene& scene, const traces::Frame& frame, 
 }
 
 struct Simulator::Impl {
-  Impl(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options)
+  Impl(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options, FrameFrom frames)
       : scene(scene),
         config(config),
-        builder(scene, config.accel, image, spilling_contexts(config.core)),
+        builder(scene, config, std::move(frames), image),
         unit("unit", config, mode_of(options), image, options.fault) {
     dynamic_cast<hw::Dram&>(unit.dram).observe(options.memory_observer);
   }
@@ -105,8 +101,9 @@ struct Simulator::Impl {
   hw::RayTracingUnit unit;
 };
 
-Simulator::Simulator(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options)
-    : impl_(std::make_unique<Impl>(scene, config, options)) {
+Simulator::Simulator(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options,
+                     FrameFrom frames)
+    : impl_(std::make_unique<Impl>(scene, config, options, std::move(frames))) {
   impl_->check_log(options.log);
 }
 
@@ -124,6 +121,7 @@ FrameOutcome Simulator::run(const traces::Frame& frame) {
   const auto after = std::chrono::steady_clock::now();
   if (result.dead_locked) throw DeadLock("frame " + std::to_string(frame.index) + ": " + result.picture);
   FrameOutcome outcome = outcome_of(impl.scene, frame, std::move(result));
+  outcome.dynamic_tree = impl.builder.dynamic_quality();
   outcome.pixels = std::move(pixels);
   outcome.simulation_seconds = std::chrono::duration<double>(after - before).count();
   return outcome;

@@ -10,6 +10,8 @@
 #include "hw/ray_tracing_unit.h"
 #include "hw/run_mode.h"
 #include "hw/unit_config.h"
+#include "sim/driver/dynamic_trees.h"
+#include "sim/driver/tree_quality.h"
 #include "traces/frame.h"
 
 namespace artu::sim {
@@ -35,6 +37,7 @@ struct FrameOutcome {
   std::uint64_t rays_primary = 0, rays_shadow = 0, rays_reflection = 0, rays_refraction = 0;
   std::uint64_t node_visits = 0, triangle_tests = 0;
   std::uint64_t dram_read_bytes = 0, dram_write_bytes = 0;
+  TreeQuality dynamic_tree;
   hw::PixelRecords pixels;              // row by row
   hw::Statistics statistics;            // all counters of all blocks, in a fixed order
   std::vector<std::string> violations;  // accounting laws that do not hold: must be empty
@@ -53,8 +56,10 @@ class DeadLock : public std::runtime_error {
 /// One unit, elaborated once; frames can be run in any order with the same result.
 class Simulator {
  public:
-  /// `scene` must outlive the simulator.  Throws InputError where scene and unit do not fit together.
-  Simulator(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options);
+  /// `scene` must outlive the simulator.  Throws InputError where scene and unit do not fit together.  With
+  /// tree_builder.refit a frame may need another one's geometry, which it gets from `frames`.
+  Simulator(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options,
+            FrameFrom frames = {});
   ~Simulator();
   FrameOutcome run(const traces::Frame& frame);
 

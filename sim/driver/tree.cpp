@@ -1,5 +1,7 @@
 #include "sim/driver/tree.h"
 
+#include <stdexcept>
+
 #include "sim/driver/tree_bvh2.h"
 #include "sim/driver/tree_kd.h"
 #include "sim/driver/tree_wide.h"
@@ -7,36 +9,44 @@
 
 namespace artu::sim {
 
-Tree build_tree(const traces::Mesh& mesh, hw::TreeKind kind, bool dynamic, const std::string& where) {
+namespace {
+
+void lay_out(const BinaryTree& binary, bool dynamic, Tree& tree) {
+  if (tree.kind == hw::TreeKind::bvh2) {
+    lay_out_bvh2(binary, dynamic, tree);
+  } else if (tree.kind == hw::TreeKind::bvh4) {
+    lay_out_wide<4>(binary, dynamic, tree);
+  } else {
+    lay_out_wide<8>(binary, dynamic, tree);
+  }
+}
+
+}  // namespace
+
+Tree build_tree(const traces::Mesh& mesh, const TreeRecipe& recipe, bool dynamic, const std::string& where) {
   Tree tree;
-  tree.kind = kind;
+  tree.kind = recipe.kind;
+  const bool kd = recipe.kind == hw::TreeKind::kd;
+  if (kd && recipe.builder.algorithm != hw::BuildAlgorithm::sah)
+    throw std::invalid_argument("a kd-tree is built by SAH");
   const std::size_t count = mesh.triangle_count();
   if (count == 0) return tree;
   if (count > hw::NodeReference::maximum_triangles) {
     throw InputError(where, std::to_string(count) + " triangles; the unit can address " +
                                 std::to_string(hw::NodeReference::maximum_triangles) + " of a class");
   }
-  std::vector<Box> boxes;
-  boxes.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) boxes.push_back(triangle_box(mesh, i));
+  const std::vector<Box> boxes = triangle_boxes(mesh);
   Box all = boxes[0];
   for (const Box& box : boxes) grow(all, box);
   tree.lo = all.lo;
   tree.hi = all.hi;
   tree.order.reserve(count);
-  switch (kind) {
-    case hw::TreeKind::bvh2:
-      lay_out_bvh2(BinaryTree(boxes), dynamic, tree);
-      break;
-    case hw::TreeKind::bvh4:
-      lay_out_wide<4>(BinaryTree(boxes), dynamic, tree);
-      break;
-    case hw::TreeKind::bvh8:
-      lay_out_wide<8>(BinaryTree(boxes), dynamic, tree);
-      break;
-    case hw::TreeKind::kd:
-      lay_out_kd(boxes, dynamic, tree);
-      break;
+  if (kd) {
+    lay_out_kd(boxes, recipe, dynamic, tree);
+  } else {
+    const BinaryTree binary(boxes, recipe);
+    lay_out(binary, dynamic, tree);
+    tree.work = work_of(binary.root(), recipe.builder.triangles_per_pass);
   }
   return tree;
 }

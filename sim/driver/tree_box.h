@@ -35,4 +35,11 @@ inline Box triangle_box(const traces::Mesh& mesh, std::size_t triangle) {
   return box;
 }
 
+inline std::vector<Box> triangle_boxes(const traces::Mesh& mesh) {
+  std::vector<Box> boxes;
+  boxes.reserve(mesh.triangle_count());
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) boxes.push_back(triangle_box(mesh, i));
+  return boxes;
+}
+
 }  // namespace artu::sim

@@ -8,7 +8,7 @@
 
 namespace artu::sim {
 
-/// Fills root, nodes, order and stack; tree.lo and tree.hi hold the box of all `boxes`, which are at least one.
-void lay_out_kd(const std::vector<Box>& boxes, bool dynamic, Tree& tree);
+/// Fills root, nodes, order, stack and work; tree.lo and tree.hi hold the box of all `boxes`, which are at least one.
+void lay_out_kd(const std::vector<Box>& boxes, const TreeRecipe& recipe, bool dynamic, Tree& tree);
 
 }  // namespace artu::sim

@@ -18,16 +18,24 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-KdSplitter::KdSplitter(const std::vector<Box>& boxes, const Box& all) : boxes_(boxes) {
+KdSplitter::KdSplitter(const std::vector<Box>& boxes, const Box& all, std::uint32_t leaf_size)
+    : boxes_(boxes), leaf_size_(leaf_size) {
   const hw::Vector e = all.hi - all.lo;
   flat_ = 0x1p-20 * std::max({double{e.x}, double{e.y}, double{e.z}});
+}
+
+/// Of a cell that is not split: more triangles than a leaf may have are leaves below nodes that share the cell.
+double KdSplitter::leaf_cost(std::size_t count) const {
+  if (count == 0) return 0;
+  const std::size_t leaves = (count + leaf_size_ - 1) / leaf_size_;
+  return triangle_cost * static_cast<double>(count) + node_cost * static_cast<double>(leaves - 1);
 }
 
 /// Takes the plane on the axis if it is the best so far.
 void KdSplitter::consider(const Axis& on, float at, std::size_t below, std::size_t above) {
   if (!(on.lo < at && at < on.hi) || below + above > on.budget) return;
   const double lower = on.face + on.girth * (double{at} - on.lo), upper = on.face + on.girth * (double{on.hi} - at);
-  double cost = triangle_cost * (lower * static_cast<double>(below) + upper * static_cast<double>(above)) / on.whole;
+  double cost = (lower * leaf_cost(below) + upper * leaf_cost(above)) / on.whole;
   if (below == 0 || above == 0) cost *= empty_bonus;
   cost += node_cost;
   if (cost < best_.cost) best_ = {cost, on.axis, at};
@@ -97,7 +105,7 @@ void KdSplitter::bin(const Axis& on, const std::vector<std::uint32_t>& ids) {
 
 KdSplit KdSplitter::best(const std::vector<std::uint32_t>& ids, const Box& cell, std::uint64_t budget) {
   best_ = {};
-  best_.cost = triangle_cost * static_cast<double>(ids.size());
+  best_.cost = leaf_cost(ids.size());
   double extent[3];
   for (int axis = 0; axis < 3; ++axis) extent[axis] = double{cell.hi[axis]} - cell.lo[axis];
   for (int axis = 0; axis < 3; ++axis) {

@@ -17,9 +17,9 @@ struct KdSplit {
 
 class KdSplitter {
  public:
-  KdSplitter(const std::vector<Box>& boxes, const Box& all);
+  KdSplitter(const std::vector<Box>& boxes, const Box& all, std::uint32_t leaf_size);
 
-  /// The best split of the cell among those that cost less than a leaf of its triangles and make no more than `budget`
+  /// The best split of the cell among those that cost less than leaves of its triangles and make no more than `budget`
   /// references, if there is one.  A plane lies strictly inside the cell.
   KdSplit best(const std::vector<std::uint32_t>& ids, const Box& cell, std::uint64_t budget);
 
@@ -33,11 +33,13 @@ class KdSplitter {
     std::uint64_t budget;
   };
 
+  double leaf_cost(std::size_t count) const;
   void consider(const Axis& on, float at, std::size_t below, std::size_t above);
   void sweep(const Axis& on, const std::vector<std::uint32_t>& ids);
   void bin(const Axis& on, const std::vector<std::uint32_t>& ids);
 
   const std::vector<Box>& boxes_;
+  const std::uint32_t leaf_size_;
   double flat_;
   KdSplit best_;
   std::vector<float> los_, his_;  // of sweep

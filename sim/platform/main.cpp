@@ -63,7 +63,7 @@ int run(int argc, char** argv) {
   const hw::UnitConfig config;
 
   hw::MemoryImage image;
-  ImageBuilder builder(trace.scene(), config.accel, image);
+  ImageBuilder builder(trace.scene(), config, {}, image);
   const hw::Address descriptor = builder.add(frame);
   if (builder.stack_needed() > config.core.stack_entries) {
     throw InputError(argv[1], "the tree needs a deeper stack than the unit has");

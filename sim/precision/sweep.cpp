@@ -75,9 +75,9 @@ void Sweep::render_binary64() {
 
 Pictures Sweep::simulate(SweepRow& row, double& seconds) {
   hw::UnitConfig unit = plan_.unit;
-  unit.accel = {row.tree, row.tree};
+  unit.accel.static_kind = unit.accel.dynamic_kind = row.tree;
   unit.precision = row.format;
-  Simulator simulator(scene_, unit, {});
+  Simulator simulator(scene_, unit, {}, hooks_.frame_from);
   Pictures pictures;
   Totals sum;
   for (std::uint32_t index = plan_.first_frame; index < plan_.last_frame; ++index) {

@@ -41,6 +41,8 @@ struct SweepRow {
 
 struct SweepHooks {
   std::function<traces::Frame(std::uint32_t index)> frame;
+  /// The frame of the index, or the first one after it; for tree_builder.refit alone.
+  std::function<traces::Frame(std::uint32_t index)> frame_from;
   /// Takes a picture of a frame: the name is "binary64", or "M" and the format's name; trees do not change it.
   std::function<void(const std::string& name, std::uint32_t index, const Image&)> picture;
   /// After each of `sweep_steps`.

@@ -36,6 +36,16 @@ void add(hw::Statistics& sum, const hw::Statistics& frame) {
   }
 }
 
+void keep_largest(TreeQuality& sum, const TreeQuality& frame) {
+  sum.nodes = std::max(sum.nodes, frame.nodes);
+  sum.leaves = std::max(sum.leaves, frame.leaves);
+  sum.references = std::max(sum.references, frame.references);
+  sum.depth = std::max(sum.depth, frame.depth);
+  if (frame.sah_cost() <= sum.sah_cost()) return;
+  sum.box_tests = frame.box_tests;
+  sum.triangle_tests = frame.triangle_tests;
+}
+
 void count_pixels(const hw::PixelRecords& pixels, Totals& totals) {
   for (const hw::PixelRecord& pixel : pixels) {
     totals.sampled += pixel.decision == hw::Decision::sampled;
@@ -45,6 +55,10 @@ void count_pixels(const hw::PixelRecords& pixels, Totals& totals) {
     totals.static_hits += pixel.hit_class == hw::HitClass::static_geometry;
     totals.dynamic_hits += pixel.hit_class == hw::HitClass::dynamic_geometry;
   }
+}
+
+std::string tree_cost_text() {
+  return fmt::format("of such a ray: a box test counts {}, a triangle test {}", box_test_cost, triangle_test_cost);
 }
 
 /// Hits and misses of all caches of a kind: "core0.node_cache" and "core1.node_cache" are one kind.
@@ -84,6 +98,7 @@ Totals totals_of(const FrameOutcome& o) {
   t.cycles = o.cycles;
   t.static_triangles = o.static_triangles;
   t.dynamic_triangles = o.dynamic_triangles;
+  t.dynamic_tree = o.dynamic_tree;
   count_pixels(o.pixels, t);
   t.rays_primary = o.rays_primary;
   t.rays_shadow = o.rays_shadow;
@@ -107,6 +122,7 @@ void add(Totals& sum, const Totals& frame) {
   for (const auto count : counts) sum.*count += frame.*count;
   sum.static_triangles = std::max(sum.static_triangles, frame.static_triangles);
   sum.dynamic_triangles = std::max(sum.dynamic_triangles, frame.dynamic_triangles);
+  keep_largest(sum.dynamic_tree, frame.dynamic_tree);
   sum.simulation_seconds += frame.simulation_seconds;
   add(sum.statistics, frame.statistics);
 }
@@ -117,6 +133,15 @@ std::vector<Number> frame_numbers(const Totals& t) {
       {"cycles", t.cycles, "cycles", "of the unit's clock, from start to the last write-back"},
       {"triangles.static", t.static_triangles, "triangles", "static geometry"},
       {"triangles.dynamic", t.dynamic_triangles, "triangles", "dynamic geometry (of several frames: the most)"},
+      {"tree.nodes", t.dynamic_tree.nodes, "nodes", "of the dynamic geometry's tree (of several frames: the most)"},
+      {"tree.leaves", t.dynamic_tree.leaves, "leaves", "the same"},
+      {"tree.references", t.dynamic_tree.references, "triangles", "in all leaves; the same"},
+      {"tree.depth", t.dynamic_tree.depth, "nodes", "on the longest path down; the same"},
+      {"tree.box_tests", t.dynamic_tree.box_tests, "boxes",
+       "expected for a ray that meets the root box, by surface area; of a kd-tree planes (of several frames: the "
+       "costliest's)"},
+      {"tree.triangle_tests", t.dynamic_tree.triangle_tests, "triangles", "expected for such a ray; the same"},
+      {"tree.sah_cost", t.dynamic_tree.sah_cost(), "boxes", tree_cost_text()},
       {"rays.primary", t.rays_primary, "rays", "traced from the camera"},
       {"rays.shadow", t.rays_shadow, "rays", "traced towards lights"},
       {"rays.reflection", t.rays_reflection, "rays", "traced after a mirror"},

@@ -23,6 +23,7 @@ struct Number {
 struct Totals {
   std::uint64_t frames = 0, cycles = 0;
   std::uint64_t static_triangles = 0, dynamic_triangles = 0;  // of the largest frame
+  TreeQuality dynamic_tree;  // the largest of each, but the expected tests: the costliest's
   std::uint64_t sampled = 0, interpolated = 0, traced = 0;    // pixels by decision
   std::uint64_t miss = 0, static_hits = 0, dynamic_hits = 0;  // pixels with a ray, by its class
   std::uint64_t rays_primary = 0, rays_shadow = 0, rays_reflection = 0, rays_refraction = 0;

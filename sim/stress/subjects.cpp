@@ -105,8 +105,10 @@ class GoldenBruteForce : public Subject {
 std::shared_ptr<const LaidDown> lay_down(const StressGeometry& geometry, hw::TreeKind kind) {
   auto laid = std::make_shared<LaidDown>();
   const auto static_count = static_cast<std::uint32_t>(geometry.fixed.triangle_count());
-  const LaidGeometry fixed = lay_geometry(geometry.fixed, kind, false, 0, "stress", laid->image);
-  describe(fixed, lay_geometry(geometry.dynamic, kind, true, static_count, "stress", laid->image), laid->frame);
+  const Tree fixed_tree = build_tree(geometry.fixed, kind, false, "stress");
+  const Tree dynamic_tree = build_tree(geometry.dynamic, kind, true, "stress");
+  const LaidGeometry fixed = lay_geometry(geometry.fixed, fixed_tree, 0, laid->image);
+  describe(fixed, lay_geometry(geometry.dynamic, dynamic_tree, static_count, laid->image), laid->frame);
   return laid;
 }
 

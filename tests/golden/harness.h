@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "golden/scenes.h"
 #include "sim/compare/frame_compare.h"
 #include "sim/compare/golden_settings.h"
@@ -16,10 +19,20 @@ struct Rendered {
   sim::CheckResult check;
 };
 
+/// For refit: the frames from which others take their nodes.
+inline sim::FrameFrom frames_of(const TestScene& test) {
+  return [&test](std::uint32_t index) {
+    const auto found = std::find_if(test.frames.begin(), test.frames.end(),
+                                    [index](const traces::Frame& frame) { return frame.index >= index; });
+    if (found == test.frames.end()) throw std::out_of_range("no such frame");
+    return *found;
+  };
+}
+
 inline Rendered run(const TestScene& test, const hw::UnitConfig& config = {},
                     const sim::SimulationOptions& options = {}) {
   Rendered run;
-  sim::Simulator simulator(test.scene, config, options);
+  sim::Simulator simulator(test.scene, config, options, frames_of(test));
   const ref::Golden golden(test.scene, sim::golden_settings(config));
   for (const traces::Frame& frame : test.frames) {
     run.outcomes.push_back(simulator.run(frame));

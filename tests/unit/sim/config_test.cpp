@@ -216,6 +216,18 @@ TEST_F(ConfigTest, DramParametersMustFitEachOther) {
             "FILE:2: memory.dram.bank_groups = 16 is above memory.dram.banks = 8; at most 8 would be right");
 }
 
+TEST_F(ConfigTest, KdTreesAreBuiltAnewAndBySahAlone) {
+  const std::string kd = "[accel.dynamic]\nkind = \"kd\"\n[tree_builder]\n";
+  EXPECT_EQ(load_error(kd + "algorithm = \"morton\"\n"),
+            "FILE:4: tree_builder.algorithm = morton does not go with accel.dynamic.kind = kd; a kd-tree is built anew "
+            "by sah, so sah or a BVH would be right");
+  EXPECT_EQ(load_error(kd + "refit = true\n"),
+            "FILE:4: tree_builder.refit = true does not go with accel.dynamic.kind = kd; a kd-tree is built anew by "
+            "sah, so false or a BVH would be right");
+  EXPECT_EQ(load(kd + "algorithm = \"sah\"\nrefit = false\n").accel.dynamic_kind, hw::TreeKind::kd);
+  EXPECT_TRUE(load("[accel.static]\nkind = \"kd\"\n[tree_builder]\nrefit = true\n").tree_builder.refit);
+}
+
 TEST(ParameterList, HasEveryParameterWithItsDefault) {
   const std::string list = format_parameter_list();
   EXPECT_THAT(list, HasSubstr("core.node_cache.size"));

@@ -93,6 +93,20 @@ TEST(Numbers, AreCountedFromTheOutcome) {
   EXPECT_EQ(number(numbers, "traced_share"), 0.75);
 }
 
+TEST(Totals, OfTreesTheLargestSizesAndTheCostliestsTestsAreKept) {
+  Totals sum, small, large;
+  small.dynamic_tree = {3, 4, 2, 9, 10, 1};
+  large.dynamic_tree = {5, 6, 3, 8, 2, 6};  // 14 box tests' worth, against 12
+  for (const Totals* frame : {&small, &large, &small}) add(sum, *frame);
+  EXPECT_EQ(number(frame_numbers(sum), "tree.nodes"), 5);
+  EXPECT_EQ(number(frame_numbers(sum), "tree.leaves"), 6);
+  EXPECT_EQ(number(frame_numbers(sum), "tree.depth"), 3);
+  EXPECT_EQ(number(frame_numbers(sum), "tree.references"), 9);
+  EXPECT_EQ(number(frame_numbers(sum), "tree.box_tests"), 2);
+  EXPECT_EQ(number(frame_numbers(sum), "tree.triangle_tests"), 6);
+  EXPECT_EQ(number(frame_numbers(sum), "tree.sah_cost"), 14);
+}
+
 TEST(Numbers, AddUpOverFramesAndPeaksStayPeaks) {
   Totals sum;
   add(sum, totals_of(outcome()));

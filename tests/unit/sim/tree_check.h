@@ -29,7 +29,9 @@ class TreeCheck {
  public:
   using Ids = std::vector<std::uint32_t>;
 
-  TreeCheck(const traces::Mesh& mesh, const Tree& tree, bool dynamic) : tree_(tree), dynamic_(dynamic) {
+  TreeCheck(const traces::Mesh& mesh, const Tree& tree, bool dynamic,
+            std::uint32_t leaf_size = hw::AccelConfig().leaf_size)
+      : tree_(tree), dynamic_(dynamic), leaf_size_(leaf_size) {
     for (std::size_t i = 0; i < mesh.triangle_count(); ++i) boxes_.push_back(triangle_box(mesh, i));
   }
 
@@ -77,7 +79,7 @@ class TreeCheck {
       for (std::uint32_t i = 0; i < hw::NodeReference::count(reference); ++i) {
         found.push_back(tree_.order.at(hw::NodeReference::first(reference) + i));
       }
-      expect(kd || found.size() <= leaf_size, "leaf too large");
+      expect(found.size() <= leaf_size_, "leaf too large");
       expect(std::is_sorted(found.begin(), found.end()), "leaf not sorted");
       stack_ = std::max(stack_, stacked);
     } else {
@@ -165,6 +167,7 @@ class TreeCheck {
 
   const Tree& tree_;
   const bool dynamic_;
+  const std::uint32_t leaf_size_;
   std::vector<Box> boxes_;
   std::uint32_t next_node_ = 0, next_record_ = 0, stack_ = 0;
   int bad_ = 0;
@@ -172,10 +175,10 @@ class TreeCheck {
 };
 
 /// Builds and checks.
-inline Tree checked_tree(const traces::Mesh& mesh, hw::TreeKind kind, bool dynamic = false) {
-  Tree tree = build_tree(mesh, kind, dynamic, "test");
-  SCOPED_TRACE(name(kind));
-  TreeCheck(mesh, tree, dynamic).run();
+inline Tree checked_tree(const traces::Mesh& mesh, const TreeRecipe& recipe, bool dynamic = false) {
+  Tree tree = build_tree(mesh, recipe, dynamic, "test");
+  SCOPED_TRACE(name(recipe.kind));
+  TreeCheck(mesh, tree, dynamic, recipe.leaf_size).run();
   return tree;
 }
 

@@ -114,8 +114,8 @@ TEST(Tree, LargeLeavesOfKdTreesBecomeBalancedTrees) {
   for (int count = 16; count < 300; count += 7) {
     const Tree tree = checked_tree(coincident(1, count), hw::TreeKind::kd);
     ASSERT_EQ(tree.order.size(), static_cast<std::size_t>(count));
-    EXPECT_EQ(tree.nodes.size() / sizeof(hw::KdNodeRecord), static_cast<std::size_t>(count - 1) / 16);
-    EXPECT_LE(tree.stack, 5u);
+    EXPECT_EQ(tree.nodes.size() / sizeof(hw::KdNodeRecord), static_cast<std::size_t>(count - 1) / 4);
+    EXPECT_LE(tree.stack, 7u);
   }
 }
 
