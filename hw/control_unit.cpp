@@ -8,6 +8,7 @@ void ControlUnit::reset() {
   step_ = Step::fetch;
   pass_ = 0;
   banks_flushed_ = 0;
+  building_ = false;
   issued_ = answered_ = 0;
   lines_ = sizeof(FrameDescriptor) / line_bytes;
   finished_at_ = never;
@@ -82,9 +83,12 @@ void ControlUnit::begin_pass(std::uint8_t pass, Cycle now) {
   while (pass <= 2 && pixels_of(pass) == 0) ++pass;
   pass_ = pass;
   if (pass > 2) {
-    step_ = Step::flush;
-    enter(phase_flush, now);
-    for (Fifo<CacheCommand>* bank : ports_.flush) bank->push({});
+    if (building_) {
+      step_ = Step::tree;
+      enter(phase_build, now);
+    } else {
+      begin_flush(now);
+    }
     return;
   }
   step_ = Step::pass;
@@ -93,6 +97,21 @@ void ControlUnit::begin_pass(std::uint8_t pass, Cycle now) {
   ports_.pass->push({pixels_of(pass)});
   const auto stride = static_cast<std::uint8_t>(selective_.enabled ? 2 : 1);
   (pass == 0 ? ports_.first : ports_.extract)->push({pass, stride});
+}
+
+void ControlUnit::begin_flush(Cycle now) {
+  step_ = Step::flush;
+  enter(phase_flush, now);
+  for (Fifo<CacheCommand>* bank : ports_.flush) bank->push({});
+}
+
+/// Whether the builder has finished in this cycle; passed on to the cores.
+bool ControlUnit::collect_built() {
+  if (!ports_.built->can_pop()) return false;
+  ports_.built->pop();
+  building_ = false;
+  for (Fifo<TreeBuilt>* core : ports_.tree_built) core->push({});
+  return true;
 }
 
 /// Whether all banks have answered.
@@ -106,14 +125,18 @@ bool ControlUnit::collect_flushed() {
 }
 
 Activity ControlUnit::tick(Cycle now) {
+  const bool built = collect_built();
   switch (step_) {
     case Step::fetch: {
       const std::uint64_t before = issued_ + answered_;
       if (fetch()) {
         const FrameDescriptor& frame = registers_.descriptor;
         if (frame.dynamic_moved != 0 && frame.dynamic_triangle_count != 0) {
-          enter(phase_build, now);
           ports_.build->push({});
+          building_ = true;
+        }
+        if (building_ && ports_.tree_built.empty()) {
+          enter(phase_build, now);
           step_ = Step::build;
         } else {
           begin_pass(0, now);
@@ -124,14 +147,20 @@ Activity ControlUnit::tick(Cycle now) {
       return {State::stall_mem};
     }
     case Step::build:
-      if (!ports_.built->can_pop()) return {State::stall_in};
-      ports_.built->pop();
+      if (!built) return {State::stall_in};
       begin_pass(0, now);
       return {State::busy, now + 1};
     case Step::pass:
-      if (!ports_.written->can_pop()) return {State::stall_in};
-      ports_.written->pop();
-      begin_pass(static_cast<std::uint8_t>(pass_ + 1), now);
+      if (ports_.written->can_pop()) {
+        ports_.written->pop();
+        begin_pass(static_cast<std::uint8_t>(pass_ + 1), now);
+      } else if (!built) {
+        return {State::stall_in};
+      }
+      return {State::busy, now + 1};
+    case Step::tree:
+      if (!built) return {State::stall_in};
+      begin_flush(now);
       return {State::busy, now + 1};
     case Step::flush:
       if (!collect_flushed()) return {State::stall_mem};
@@ -149,7 +178,8 @@ Activity ControlUnit::tick(Cycle now) {
 void ControlUnit::report(Statistics& out) const {
   const std::string block = path();
   out.push_back({block, "cycles_start", cycles_start_, "cycles", "phase: descriptor and lights are read"});
-  out.push_back({block, "cycles_build", cycles_build_, "cycles", "phase: the dynamic tree is built"});
+  out.push_back(
+      {block, "cycles_build", cycles_build_, "cycles", "phase: the dynamic tree is built and nothing else goes on"});
   out.push_back({block, "cycles_first", cycles_first_, "cycles", "phase: sampling pixels are traced"});
   out.push_back(
       {block, "cycles_selective", cycles_selective_, "cycles", "phase: candidates are interpolated or traced"});
@@ -157,8 +187,9 @@ void ControlUnit::report(Statistics& out) const {
 }
 
 std::string ControlUnit::describe() const {
-  static const char* const names[] = {"reads the descriptor", "waits for the tree builder",
-                                      "waits for the end of pass ", "waits for the write-back", "finished"};
+  static const char* const names[] = {"reads the descriptor",       "waits for the tree builder",
+                                      "waits for the end of pass ", "waits for the tree builder",
+                                      "waits for the write-back",   "finished"};
   std::string text = names[static_cast<std::size_t>(step_)];
   if (step_ == Step::pass) text += std::to_string(pass_);
   return text;

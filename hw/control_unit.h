@@ -4,7 +4,9 @@
 // Out: commands to the tree builder, the first rendering unit, the candidate-pixel extractor, the frame writer and
 //      the L2; the frame registers.
 // A pass begins when all pixels of the one before are in memory: that is how the hazards between passes are resolved.
-// Not started: building where there is no dynamic geometry or it has not moved; passes without pixels.
+// With `overlap` the first pass begins with the build: rays that need the dynamic tree wait in traversal, and the
+// control unit tells the cores when it is there.  The write-back waits for the build; what it waits is counted as
+// `build`. Not started: building where there is no dynamic geometry or it has not moved; passes without pixels.
 #pragma once
 
 #include "hw/fabric/memory_port.h"
@@ -13,6 +15,7 @@
 #include "hw/memory/frame_writer.h"
 #include "hw/memory/image.h"
 #include "hw/memory/tree_builder.h"
+#include "hw/ray_core/ray_context.h"
 #include "hw/selective/tokens.h"
 
 namespace artu::hw {
@@ -32,6 +35,7 @@ class ControlUnit : public Block {
     Fifo<PassSize>* pass;
     Fifo<PassSize>* written;
     std::vector<Fifo<CacheCommand>*> flush, flushed;  // of the L2's banks
+    std::vector<Fifo<TreeBuilt>*> tree_built = {};    // of the cores; none: no overlap
   };
   void bind(const Ports& ports) { ports_ = ports; }
   /// Blocks that are told of a change of phase.
@@ -47,9 +51,11 @@ class ControlUnit : public Block {
   std::string describe() const override;
 
  private:
-  enum class Step : std::uint8_t { fetch, build, pass, flush, finished };
+  enum class Step : std::uint8_t { fetch, build, pass, tree, flush, finished };
   Activity tick(Cycle now) override;
   bool fetch();
+  bool collect_built();
+  void begin_flush(Cycle now);
   bool collect_flushed();
   void enter(Phase phase, Cycle now);
   void begin_pass(std::uint8_t pass, Cycle now);
@@ -63,6 +69,7 @@ class ControlUnit : public Block {
   std::vector<Block*> listeners_;
   Address descriptor_ = 0;
   Step step_ = Step::fetch;
+  bool building_ = false;
   std::size_t banks_flushed_ = 0;
   std::uint8_t pass_ = 0;
   std::uint64_t lines_ = 0, issued_ = 0, answered_ = 0;

@@ -67,6 +67,7 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
     const std::string core = "core" + std::to_string(i);
     cores.push_back(std::make_unique<RayCore>(core.c_str(), clock, config, registers_, image, i));
     core_jobs_.push_back(std::make_unique<Fifo<PixelJob>>(core + ".jobs", config.core.queue_depth + 1));
+    if (config.tree_builder.overlap) tree_built_.push_back(std::make_unique<Fifo<TreeBuilt>>(core + ".tree_built", 2));
     core_pixels_.push_back(std::make_unique<Fifo<PixelToken>>(core + ".pixels", config.core.queue_depth + 1));
   }
   make_l2();
@@ -186,7 +187,12 @@ void RayTracingUnit::bind_cores() {
     core_pixels_[i]->bind(core.shading, frame_writer);
     dispatcher.add_core(*core_jobs_[i]);
     frame_writer.add_source(*core_pixels_[i]);
-    core.bind(interconnect, *core_jobs_[i], *core_pixels_[i], nullptr);
+    Fifo<TreeBuilt>* built = tree_built_.empty() ? nullptr : tree_built_[i].get();
+    if (built != nullptr) {
+      built->bind(control_unit, core.traversal);
+      channels_.push_back(built);
+    }
+    core.bind(interconnect, *core_jobs_[i], *core_pixels_[i], built);
     channels_.push_back(core_jobs_[i].get());
     channels_.push_back(core_pixels_[i].get());
     channels_.insert(channels_.end(), core.channels().begin(), core.channels().end());
@@ -207,11 +213,12 @@ void RayTracingUnit::bind_control() {
     ports.flush.push_back(&bank->flush);
     ports.flushed.push_back(&bank->flushed);
   }
+  for (const auto& core : tree_built_) ports.tree_built.push_back(core.get());
   control_unit.bind(ports);
   for (Channel* channel : std::initializer_list<Channel*>{&pass_, &written_, &build_, &built_}) {
     channels_.push_back(channel);
   }
-  tree_builder.takes_part_in(phase_build);
+  tree_builder.takes_part_in(config_.tree_builder.overlap ? phase_build | phase_first | phase_selective : phase_build);
   first_rendering_unit.takes_part_in(phase_first);
   for (Block* block : std::initializer_list<Block*>{&pixel_cache, &candidate_pixel_extractor, &collision_counter,
                                                     &threshold_adjuster, &render_executor}) {

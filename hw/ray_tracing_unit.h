@@ -99,6 +99,7 @@ class RayTracingUnit : public sc_core::sc_module {
   Fifo<PixelToken> interpolated_;
   std::vector<std::unique_ptr<Fifo<PixelJob>>> core_jobs_;
   std::vector<std::unique_ptr<Fifo<PixelToken>>> core_pixels_;
+  std::vector<std::unique_ptr<Fifo<TreeBuilt>>> tree_built_;  // with overlap
   MemoryLink pixel_reads_, pixel_misses_, descriptor_reads_, frame_writes_, builder_link_, dram_link_;
   struct Bank {
     MemoryLink up, down;

@@ -110,6 +110,8 @@ void TreeBuilderConfig::visit(ParameterVisitor& v) {
   v.integer("cycles_per_box", cycles_per_box, {1, 1000}, "cycles",
             "morton, refit: to enlarge a node's box by a triangle's or a child's");
   v.integer("outstanding", outstanding, {1, 256}, "", "memory requests in flight");
+  v.flag("overlap", overlap,
+         "the first pass begins with the build: rays walk the static tree, and wait where they need the dynamic one");
 }
 
 void MemoryConfig::visit(ParameterVisitor& v) {

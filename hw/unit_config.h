@@ -115,6 +115,7 @@ struct TreeBuilderConfig {
   std::uint32_t cycles_per_node = 1;            // morton: to emit a node
   std::uint32_t cycles_per_box = 1;             // morton, refit: to enlarge a box by another
   std::uint32_t outstanding = 32;               // memory requests in flight
+  bool overlap = false;                         // rays begin while the tree is being built
   void visit(ParameterVisitor& v);
 };
 

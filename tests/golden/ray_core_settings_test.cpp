@@ -53,6 +53,13 @@ std::vector<Setting> settings() {
   for (std::uint32_t banks : {2u, 8u}) {
     add(std::to_string(banks) + " banks", [&](hw::UnitConfig& c) { c.memory.l2_banks = banks; });
   }
+  add("overlapped build", [](hw::UnitConfig& c) { c.tree_builder.overlap = true; });
+  add("overlapped build and a restart trail", [](hw::UnitConfig& c) {
+    c.tree_builder.overlap = true;
+    c.tree_builder.cycles_per_triangle = 100;
+    c.core.stack_overflow = hw::StackOverflow::restart;
+    c.core.stack_entries = 1;
+  });
   add("all at once", [](hw::UnitConfig& c) {
     c.accel.static_kind = hw::TreeKind::bvh4;
     c.core.stack_overflow = hw::StackOverflow::restart;
@@ -104,6 +111,31 @@ std::uint64_t of_cores(const sim::FrameOutcome& outcome, const std::string& name
     if (s.name == name) sum += s.value;
   }
   return sum;
+}
+
+TEST(RayCoreSettings, WithAnOverlappedBuildRaysWaitForTheTreeAndNotTheFrame) {
+  const TestScene scene = everything();
+  hw::UnitConfig config;
+  config.tree_builder.cycles_per_triangle = 20;
+  const sim::FrameOutcome before = run(scene, config).outcomes[0];
+  config.tree_builder.overlap = true;
+  const sim::FrameOutcome after = run(scene, config).outcomes[0];
+  EXPECT_GT(counter(before, "control_unit", "cycles_build"), 0u);
+  EXPECT_EQ(counter(after, "control_unit", "cycles_build"), 0u);
+  EXPECT_GT(of_cores(after, "tree_waits"), 0u);
+  EXPECT_EQ(of_cores(before, "tree_waits"), 0u);
+}
+
+TEST(RayCoreSettings, ATreeThatNobodyNeedsIsBuiltBeforeTheFrameEnds) {
+  Recipe recipe;
+  recipe.width = recipe.height = 1;
+  const TestScene scene = make_scene(recipe);
+  hw::UnitConfig config;
+  config.tree_builder.overlap = true;
+  config.tree_builder.cycles_per_triangle = 1000;
+  const Rendered r = run(scene, config);
+  expect_exact(r);
+  EXPECT_EQ(counter(r.outcomes[0], "tree_builder", "builds"), 1u);
 }
 
 TEST(RayCoreSettings, AShortStackWithARestartTrailVisitsMoreNodesTheFewerItsEntries) {

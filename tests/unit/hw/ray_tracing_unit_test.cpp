@@ -110,6 +110,32 @@ TEST(Unit, TheTreeIsBuiltOnlyWhereItMoved) {
   EXPECT_EQ(u.pixels(), pixels);
 }
 
+TEST(Unit, ABuildThatOverlapsAndThatNoRayNeedsCostsOnlyWhatTheFirstPassDoesNotHide) {
+  const auto cycles = [](bool overlap, std::uint32_t per_triangle, std::uint32_t width = 64) {
+    UnitConfig config = TinyUnit::small();
+    config.tree_builder.overlap = overlap;
+    config.tree_builder.cycles_per_record = per_triangle;
+    TinyUnit u(width, 48, {}, config);
+    u.tiny.frame().dynamic_moved = 1;
+    u.tiny.frame().dynamic_lo = u.tiny.frame().dynamic_hi = {1.0e6f, 1.0e6f, 1.0e6f};
+    const FrameResult result = u.run();
+    EXPECT_THAT(result.violations, testing::IsEmpty());
+    return std::array<std::uint64_t, 3>{result.cycles, u.statistic(result, "control_unit", "cycles_build"),
+                                        u.statistic(result, "core0.traversal", "tree_waits")};
+  };
+  for (std::uint32_t per_triangle : {1u, 100u}) {
+    const auto after_another = cycles(false, per_triangle), beside = cycles(true, per_triangle);
+    EXPECT_GT(after_another[1], 0u);
+    EXPECT_EQ(beside[1], 0u);
+    EXPECT_EQ(beside[2], 0u);
+    EXPECT_LT(beside[0], after_another[0]);
+  }
+  // A build that is longer than all passes: what is left of it is waited for.
+  const auto after_another = cycles(false, 1000, 1), beside = cycles(true, 1000, 1);
+  EXPECT_GT(beside[1], 0u);
+  EXPECT_LT(beside[1], after_another[1]);
+}
+
 TEST(Unit, WithoutSelectiveRenderingEveryPixelIsSampled) {
   UnitConfig config = TinyUnit::small();
   config.selective.enabled = false;

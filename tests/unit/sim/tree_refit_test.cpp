@@ -32,7 +32,9 @@ TEST(Refit, MovedTrianglesHaveASoundTreeOfTheSameNodes) {
         EXPECT_EQ(after.order, before.order);
         EXPECT_EQ(after.root, before.root);
         EXPECT_EQ(quality_of(after).nodes, quality_of(before).nodes);
-        if (by == 0) EXPECT_EQ(after.nodes, before.nodes);
+        if (by == 0) {
+          EXPECT_EQ(after.nodes, before.nodes);
+        }
       }
     }
   }
