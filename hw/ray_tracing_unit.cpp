@@ -11,7 +11,7 @@ constexpr std::uint32_t job_depth = 8;
 CacheConfig bank_of(const MemoryConfig& memory) {
   CacheConfig bank = memory.l2;
   bank.size /= memory.l2_banks;
-  bank.mshrs /= memory.l2_banks;
+  bank.mshrs = (bank.mshrs + memory.l2_banks - 1) / memory.l2_banks;
   return bank;
 }
 

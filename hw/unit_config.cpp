@@ -119,7 +119,7 @@ void MemoryConfig::visit(ParameterVisitor& v) {
   v.integer("interconnect_latency", interconnect_latency, {1, 1000}, "cycles", "between a core and the L2, each way");
   v.integer("write_combining", write_combining, {2, 1024}, "lines", "of finished pixels, held back to be filled up");
   v.integer("l2_banks", l2_banks, {1, 16, true}, "",
-            "banks of the L2, one request a cycle each; they share size, MSHRs");
+            "banks of the L2, one request a cycle each; size and MSHRs are divided among them");
   visit_cache(v, "l2", "second-level cache, shared", l2);
   v.enter("dram", "DRAM channels and their controllers");
   dram.visit(v);

@@ -92,7 +92,7 @@ struct MemoryConfig {
   std::uint32_t line = 64;                 // bytes
   std::uint32_t interconnect_latency = 4;  // cycles each way between a core and the L2
   std::uint32_t write_combining = 16;      // lines of finished pixels that are held back
-  std::uint32_t l2_banks = 1;              // `l2` is divided among them, line by line
+  std::uint32_t l2_banks = 4;              // `l2` is divided among them, line by line
   CacheConfig l2{262144, 8, 10, 32, 16, true};
   DramConfig dram;
   void visit(ParameterVisitor& v);

@@ -73,8 +73,8 @@ Activity Interconnect::tick(Cycle now) {
 }
 
 void Interconnect::report(Statistics& out) const {
-  out.push_back({path(), "requests", requests_, "", "requests passed to the L2"});
-  out.push_back({path(), "responses", responses_, "", "responses passed to the masters"});
+  out.push_back({path(), "requests", requests_, "", "requests passed down"});
+  out.push_back({path(), "responses", responses_, "", "responses passed up"});
   out.push_back({path(), "conflicts", conflicts_, "", "responses held back since their master got one in that cycle"});
 }
 

@@ -76,12 +76,6 @@ void cross_check(const hw::UnitConfig& unit, const Places& places) {
                     unit.core.stack_entries, spilled_at_once, spilled_at_once));
   }
   const std::uint32_t banks = unit.memory.l2_banks;
-  if (unit.memory.l2.mshrs < banks) {
-    throw InputError(place_of(places, {"memory.l2_banks", "memory.l2.mshrs"}),
-                     fmt::format("memory.l2_banks = {} leaves a bank without one of memory.l2.mshrs = {}; at most {} "
-                                 "would be right",
-                                 banks, unit.memory.l2.mshrs, unit.memory.l2.mshrs));
-  }
   const hw::TreeBuilderConfig& builder = unit.tree_builder;
   const bool morton = builder.algorithm == hw::BuildAlgorithm::morton;
   if (unit.accel.dynamic_kind == hw::TreeKind::kd && (morton || builder.refit)) {
@@ -96,11 +90,12 @@ void cross_check(const hw::UnitConfig& unit, const Places& places) {
   copy.visit(caches);
   const std::uint64_t bank_set = std::uint64_t{banks} * unit.memory.l2.ways * unit.memory.line;
   if (bank_set > unit.memory.l2.size) {
+    std::uint32_t right = banks;
+    while (right * unit.memory.l2.ways * unit.memory.line > unit.memory.l2.size) right /= 2;
     throw InputError(place_of(places, {"memory.l2_banks", "memory.l2.size", "memory.l2.ways"}),
                      fmt::format("memory.l2_banks = {} with a set of {} ways each need {} bytes, more than "
                                  "memory.l2.size = {}; at most {} banks would be right",
-                                 banks, unit.memory.l2.ways, bank_set, unit.memory.l2.size,
-                                 unit.memory.l2.size / (unit.memory.l2.ways * unit.memory.line)));
+                                 banks, unit.memory.l2.ways, bank_set, unit.memory.l2.size, right));
   }
 }
 

@@ -71,7 +71,8 @@ std::string format_stats_list(const Totals& sum, std::uint32_t clock_mhz, const 
   std::vector<Number> numbers = all_numbers(sum, clock_mhz, 0, energy);
   // The other cores' counters have the same names.
   const auto repeated = [](const Number& n) {
-    return n.name.rfind("core0.", 0) != 0 && without_number(n.name) != n.name;
+    const bool first = n.name.rfind("core0.", 0) == 0 || n.name.rfind("l2_bank0.", 0) == 0;
+    return !first && without_number(n.name) != n.name;
   };
   numbers.erase(std::remove_if(numbers.begin(), numbers.end(), repeated), numbers.end());
   std::size_t name = 4, unit = 4;

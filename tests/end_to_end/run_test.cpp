@@ -213,15 +213,17 @@ TEST_F(RunTest, ListsNameWhatThereIs) {
   std::istringstream lines(read("out/stats.txt"));
   for (std::string line; std::getline(lines, line);) {
     const std::string name = line.substr(0, line.find(' '));
-    const bool other_core = line.compare(0, 4, "core") == 0 && line.compare(0, 6, "core0.") != 0;
-    if (line.find("  # ") == std::string::npos || other_core) continue;
+    const auto numbered = [&name](const std::string& block) {
+      return name.compare(0, block.size(), block) == 0 && name.compare(0, block.size() + 2, block + "0.") != 0;
+    };
+    if (line.find("  # ") == std::string::npos || numbered("core") || numbered("l2_bank")) continue;
     EXPECT_THAT(list, HasSubstr("\n" + name + " ")) << "a number that --list-stats does not name";
   }
 }
 
 TEST_F(RunTest, TheLogSaysWhatABlockDoes) {
-  const Finished info = fine({"run", "tiny.obj", "--size", "4x4", "-o", "a", "--log", "l2=info"});
-  EXPECT_THAT(info.err, HasSubstr(" l2: phase selective"));
+  const Finished info = fine({"run", "tiny.obj", "--size", "4x4", "-o", "a", "--log", "l2_bank0=info"});
+  EXPECT_THAT(info.err, HasSubstr(" l2_bank0: phase selective"));
   EXPECT_THAT(info.err, Not(HasSubstr("busy")));
   const Finished debug =
       fine({"run", "tiny.obj", "--size", "4x4", "-o", "b", "--log", "*=info", "--log", "core0=debug"});

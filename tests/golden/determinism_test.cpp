@@ -108,7 +108,7 @@ TEST(Determinism, ManyConfigurationsWithStallsEndAndObeyTheLaws) {
     state = state * 1664525u + 1013904223u;
     return (state >> 16) % count;
   };
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 120; ++i) {
     hw::UnitConfig config;
     config.core.count = 1 + draw(8);
     config.core.contexts = 1 + draw(40);
@@ -122,6 +122,28 @@ TEST(Determinism, ManyConfigurationsWithStallsEndAndObeyTheLaws) {
     config.core.texture_cache = cache();
     config.selective.pixel_cache = cache();
     config.memory.l2 = cache();
+    config.memory.l2_banks = 1u << draw(5);
+    while (std::uint64_t{config.memory.l2_banks} * config.memory.l2.ways * 64 > config.memory.l2.size) {
+      config.memory.l2_banks /= 2;
+    }
+    config.memory.write_combining = 2 + draw(20);
+    config.core.ray_order = static_cast<hw::RayOrder>(draw(3));
+    config.core.pixel_order = static_cast<hw::PixelOrder>(draw(2));
+    config.core.dispatch = static_cast<hw::Dispatch>(draw(2));
+    config.core.box_testers = 1 + draw(8);
+    config.core.node_interval = 1 + draw(4);
+    config.core.triangle_interval = 1 + draw(4);
+    config.core.stack_overflow = static_cast<hw::StackOverflow>(draw(3));
+    config.core.stack_entries = config.core.stack_overflow == hw::StackOverflow::refuse  ? 64
+                                : config.core.stack_overflow == hw::StackOverflow::spill ? 8 + draw(4)
+                                                                                         : 1 + draw(4);
+    config.accel.static_kind = static_cast<hw::TreeKind>(draw(4));
+    config.accel.dynamic_kind = static_cast<hw::TreeKind>(draw(4));
+    config.accel.leaf_size = 1 + draw(16);
+    config.tree_builder.overlap = draw(2) != 0;
+    if (config.accel.dynamic_kind != hw::TreeKind::kd) {
+      config.tree_builder.algorithm = static_cast<hw::BuildAlgorithm>(draw(2));
+    }
     config.memory.interconnect_latency = 1 + draw(9);
     config.memory.dram.clock_mhz = 200 + 137 * draw(10);
     config.memory.dram.channels = 1u << draw(4);

@@ -111,11 +111,11 @@ TEST(Unit, TheTreeIsBuiltOnlyWhereItMoved) {
 }
 
 TEST(Unit, ABuildThatOverlapsAndThatNoRayNeedsCostsOnlyWhatTheFirstPassDoesNotHide) {
-  const auto cycles = [](bool overlap, std::uint32_t per_triangle, std::uint32_t width = 64) {
+  const auto cycles = [](bool overlap, std::uint32_t per_triangle, std::uint32_t size = 48) {
     UnitConfig config = TinyUnit::small();
     config.tree_builder.overlap = overlap;
     config.tree_builder.cycles_per_record = per_triangle;
-    TinyUnit u(width, 48, {}, config);
+    TinyUnit u(size, size, {}, config);
     u.tiny.frame().dynamic_moved = 1;
     u.tiny.frame().dynamic_lo = u.tiny.frame().dynamic_hi = {1.0e6f, 1.0e6f, 1.0e6f};
     const FrameResult result = u.run();
@@ -194,7 +194,7 @@ TEST(Unit, ALostAnswerEndsInAPictureOfWhoWaitsForWhom) {
     const FrameResult result = u.run();
     ASSERT_TRUE(result.dead_locked);
     EXPECT_THAT(result.picture, testing::HasSubstr("dead-lock in cycle"));
-    EXPECT_THAT(result.picture, testing::HasSubstr("l2: stall_mem; 1 of 32 lines outstanding"));
+    EXPECT_THAT(result.picture, testing::HasSubstr(": stall_mem; 1 of 8 lines outstanding"));
     EXPECT_THAT(result.picture, testing::HasSubstr("control_unit"));
   }
 }
