@@ -75,7 +75,7 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
   bind_selective();
   bind_cores();
   bind_control();
-  interconnect.flag_requests();
+  interconnect.flag_channels();
   frame_writer.flag_sources();
   inject(fault);
   if (mode.random_stall) {
@@ -148,7 +148,7 @@ void RayTracingUnit::bind_memory() {
   }
   if (l2_to_dram) {
     l2_to_dram->add_memory(dram_link_);
-    l2_to_dram->flag_requests();
+    l2_to_dram->flag_channels();
   }
   for (MemoryLink* link :
        {&pixel_reads_, &pixel_misses_, &descriptor_reads_, &frame_writes_, &builder_link_, &dram_link_}) {

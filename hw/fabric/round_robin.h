@@ -10,6 +10,8 @@ namespace artu::hw {
 class RoundRobin {
  public:
   void reset() { next_ = 0; }
+  /// The one that comes first.
+  std::size_t pointer() const { return next_; }
   /// First of `count` for which `wants(i)` holds, from the pointer on; `count` if none.  Does not move the pointer.
   template <class Wants>
   std::size_t pick(std::size_t count, Wants wants) const {

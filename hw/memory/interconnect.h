@@ -9,6 +9,7 @@
 // Stalls: stall_out when a memory's request channel or a master's response channel is full.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "hw/fabric/memory_port.h"
@@ -20,9 +21,9 @@ class Interconnect : public Block {
  public:
   Interconnect(sc_core::sc_module_name name, ClockDomain& domain) : Block(name, domain) {}
   void add_master(MemoryLink& link) { masters_.push_back(&link); }
-  /// After the last master.
-  void flag_requests();
-  /// As many as a power of two.
+  /// After the last master and the last memory.
+  void flag_channels();
+  /// As many as a power of two, 16 at most.
   void add_memory(MemoryLink& link) {
     memories_.push_back(&link);
     arbiters_.emplace_back();
@@ -32,16 +33,18 @@ class Interconnect : public Block {
   void report(Statistics& out) const override;
 
  private:
+  static constexpr std::size_t maximum_memories = 16;
   Activity tick(Cycle now) override;
-  bool pass_request(std::size_t memory, Cycle now, bool& blocked);
+  bool pass_requests(bool& blocked, bool& left);
   bool pass_response(std::size_t memory, Cycle now, bool& blocked);
   std::size_t memory_of(Address line) const { return line / line_bytes & (memories_.size() - 1); }
 
   std::vector<MemoryLink*> masters_, memories_;
-  std::vector<std::uint64_t> waiting_;   // a bit a master
-  std::vector<RoundRobin> arbiters_;     // one a memory
-  std::vector<Cycle> asked_, answered_;  // by master: when its last request and its last response passed
-  std::size_t first_memory_ = 0;         // whose responses go first
+  std::vector<std::uint64_t> waiting_;  // a bit a master
+  std::uint64_t answering_ = 0;         // a bit a memory
+  std::vector<RoundRobin> arbiters_;    // one a memory
+  std::vector<Cycle> answered_;         // by master: when it got its last response
+  std::size_t first_memory_ = 0;        // whose responses go first
   std::uint64_t requests_ = 0, responses_ = 0, conflicts_ = 0;
 };
 

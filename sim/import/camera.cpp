@@ -54,7 +54,7 @@ traces::Camera make_camera(const CameraPlace& place, const CameraLens& lens, std
   return camera;
 }
 
-CameraPlace frame_box(const Box& box, double fov, std::uint32_t width, std::uint32_t height) {
+CameraPlace frame_box(const WorldBox& box, double fov, std::uint32_t width, std::uint32_t height) {
   const glm::dvec3 center = box.center();
   CameraPlace place = look_at(center + glm::dvec3(0.62, 0.42, 1.0), center, {0, 1, 0});
   const double tan_y = std::tan(fov / 2), tan_x = tan_y * width / height;

@@ -127,7 +127,7 @@ void emit_node(const Model& model, const Pose& pose, int index, const std::strin
   }
 }
 
-void grow(Box& box, const traces::Mesh& mesh) {
+void grow(WorldBox& box, const traces::Mesh& mesh) {
   for (const std::uint32_t i : mesh.indices) {
     const traces::Vec3& p = mesh.positions[i];
     box.add({p.x, p.y, p.z});

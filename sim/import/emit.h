@@ -8,7 +8,7 @@ namespace artu::sim {
 /// Appends the triangles of one node.  Throws InputError(where, ...) where a vertex leaves the numbers.
 void emit_node(const Model& model, const Pose& pose, int node, const std::string& where, traces::Mesh& out);
 
-struct Box {
+struct WorldBox {
   glm::dvec3 low{1e300}, high{-1e300};
 
   bool empty() const { return !(low.x <= high.x); }
@@ -20,6 +20,6 @@ struct Box {
   double radius() const { return 0.5 * glm::length(high - low); }
 };
 
-void grow(Box& box, const traces::Mesh& mesh);
+void grow(WorldBox& box, const traces::Mesh& mesh);
 
 }  // namespace artu::sim

@@ -109,7 +109,7 @@ class MaterialReader {
     s.metallic = share(pbr.metallicFactor);
     s.roughness = share(pbr.roughnessFactor);
     color = ref(pbr.baseColorTexture);
-    const Image* image = textures_.image(pbr.metallicRoughnessTexture.index, where_);
+    const DecodedImage* image = textures_.image(pbr.metallicRoughnessTexture.index, where_);
     if (!image) return;
     const auto mean = image->mean();
     s.roughness *= mean[1];
@@ -126,7 +126,7 @@ class MaterialReader {
     alpha = share(element_or(e, "diffuseFactor", 3, 1));
     double gloss = share(number_or(e, "glossinessFactor", 1));
     color = ref(e, "diffuseTexture");
-    if (const Image* image = textures_.image(ref(e, "specularGlossinessTexture").index, where_)) {
+    if (const DecodedImage* image = textures_.image(ref(e, "specularGlossinessTexture").index, where_)) {
       const auto mean = image->mean_linear();
       s.f0 *= glm::dvec3(mean[0], mean[1], mean[2]);
       gloss *= mean[3];
@@ -148,7 +148,7 @@ class MaterialReader {
     const Value* e = extension(m, "KHR_materials_transmission");
     if (!e) return;
     s.transmission = share(number_or(*e, "transmissionFactor", 0));
-    if (const Image* image = textures_.image(ref(*e, "transmissionTexture").index, where_)) {
+    if (const DecodedImage* image = textures_.image(ref(*e, "transmissionTexture").index, where_)) {
       s.transmission *= image->mean()[0];
       note("a transmission texture is reduced to its average");
     }
@@ -193,7 +193,7 @@ class MaterialReader {
     if (strength) emission *= number_or(*strength, "emissiveStrength", 1);
     emission = positive(emission);
     if (emission != glm::dvec3(0.0)) {
-      if (const Image* image = textures_.image(m.emissiveTexture.index, where_)) {
+      if (const DecodedImage* image = textures_.image(m.emissiveTexture.index, where_)) {
         const auto mean = image->mean_linear();
         emission *= glm::dvec3(mean[0], mean[1], mean[2]);
         note("an emissive texture is reduced to its average");

@@ -14,7 +14,7 @@ traces::Wrap wrap(int mode) {
 
 }  // namespace
 
-const Image* GltfTextures::image(int texture, const std::string& where) {
+const DecodedImage* GltfTextures::image(int texture, const std::string& where) {
   const int source = image_of(texture, where);
   if (source < 0) return nullptr;
   auto& slot = images_[source];
@@ -27,7 +27,7 @@ const Image* GltfTextures::image(int texture, const std::string& where) {
 }
 
 int GltfTextures::texture(int index, const std::string& where) {
-  const Image* pixels = image(index, where);
+  const DecodedImage* pixels = image(index, where);
   if (!pixels) return -1;
   const int sampler = file_.json.textures[static_cast<std::size_t>(index)].sampler;
   traces::Texture texture;
@@ -66,7 +66,7 @@ int GltfTextures::image_of(int texture, const std::string& where) {
   return source;
 }
 
-Image GltfTextures::decode(std::size_t index) {
+DecodedImage GltfTextures::decode(std::size_t index) {
   const tinygltf::Image& source = file_.json.images[index];
   const std::string where = file_.at("images[" + std::to_string(index) + "]");
   if (source.bufferView >= 0) {

@@ -19,19 +19,19 @@ class GltfTextures {
       : file_(file), accessors_(accessors), model_(model), log_(log) {}
 
   /// The image of a texture; null without one (index -1, or a format that is not read, with a log line).
-  const Image* image(int texture, const std::string& where);
+  const DecodedImage* image(int texture, const std::string& where);
   /// Index into Model::textures, or -1.
   int texture(int index, const std::string& where);
 
  private:
   int image_of(int texture, const std::string& where);
-  Image decode(std::size_t index);
+  DecodedImage decode(std::size_t index);
 
   const GltfFile& file_;
   GltfAccessors& accessors_;
   Model& model_;
   std::vector<std::string>& log_;
-  std::map<int, std::optional<Image>> images_;
+  std::map<int, std::optional<DecodedImage>> images_;
   std::map<std::string, int> textures_;
   std::uint64_t bytes_ = 0;
 };

@@ -29,7 +29,7 @@ constexpr int max_side = 16384;
 double linear(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
 
 template <typename Decode>
-std::array<double, 4> mean_of(const Image& image, Decode decode) {
+std::array<double, 4> mean_of(const DecodedImage& image, Decode decode) {
   std::array<std::array<std::uint64_t, 256>, 4> histogram{};
   for (std::size_t i = 0; i < image.rgba.size(); ++i) ++histogram[i % 4][image.rgba[i]];
   std::array<double, 4> mean{};
@@ -45,13 +45,13 @@ std::array<double, 4> mean_of(const Image& image, Decode decode) {
 
 }  // namespace
 
-std::array<double, 4> Image::mean() const {
+std::array<double, 4> DecodedImage::mean() const {
   return mean_of(*this, [](double c) { return c; });
 }
 
-std::array<double, 4> Image::mean_linear() const { return mean_of(*this, linear); }
+std::array<double, 4> DecodedImage::mean_linear() const { return mean_of(*this, linear); }
 
-Image decode_image(const std::uint8_t* bytes, std::size_t size, const std::string& where) {
+DecodedImage decode_image(const std::uint8_t* bytes, std::size_t size, const std::string& where) {
   if (size > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     throw InputError(where, "image file is over 2 GiB");
   const int length = static_cast<int>(size);
@@ -66,7 +66,7 @@ Image decode_image(const std::uint8_t* bytes, std::size_t size, const std::strin
       stbi_load_from_memory(bytes, length, &width, &height, &channels, 4), stbi_image_free);
   if (!pixels)
     throw InputError(where, std::string("broken image: ") + (stbi_failure_reason() ? stbi_failure_reason() : ""));
-  Image image;
+  DecodedImage image;
   image.width = static_cast<std::uint32_t>(width);
   image.height = static_cast<std::uint32_t>(height);
   image.rgba.assign(pixels.get(), pixels.get() + static_cast<std::size_t>(width) * height * 4);

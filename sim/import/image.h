@@ -9,7 +9,7 @@
 
 namespace artu::sim {
 
-struct Image {
+struct DecodedImage {
   std::uint32_t width = 0, height = 0;
   std::vector<std::uint8_t> rgba;  // row 0 first; sixteen-bit images are reduced to eight
 
@@ -20,6 +20,6 @@ struct Image {
 };
 
 /// Throws InputError(where, ...): not a PNG or JPEG, broken, or over 16384 pixels wide or high.
-Image decode_image(const std::uint8_t* bytes, std::size_t size, const std::string& where);
+DecodedImage decode_image(const std::uint8_t* bytes, std::size_t size, const std::string& where);
 
 }  // namespace artu::sim

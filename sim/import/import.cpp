@@ -81,8 +81,8 @@ struct SceneSource::Impl {
     natural_frames = static_cast<std::uint32_t>(std::clamp(frames, 1.0, 4.0e9));
   }
 
-  Box animated_extent(const Box& at_rest) const {
-    Box box = at_rest;
+  WorldBox animated_extent(const WorldBox& at_rest) const {
+    WorldBox box = at_rest;
     constexpr int samples = 12;
     for (int s = 1; any_dynamic && s < samples; ++s) {
       const double t = natural_frames * (s / static_cast<double>(samples)) / options.fps;
@@ -91,7 +91,7 @@ struct SceneSource::Impl {
     return box;
   }
 
-  void set_view(const Pose& pose, const Box& rest, std::vector<std::string>& log) {
+  void set_view(const Pose& pose, const WorldBox& rest, std::vector<std::string>& log) {
     const Model& model = loaded.model;
     bool lit = !loaded.lights.empty();
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
@@ -106,7 +106,7 @@ struct SceneSource::Impl {
     } else if (camera_node >= 0) {
       place = camera_place(pose.world[camera_node]);
     } else {
-      Box box = animated_extent(rest);
+      WorldBox box = animated_extent(rest);
       if (box.empty()) box.add({-1, -1, -1}), box.add({1, 1, 1});
       place = default_place = frame_box(box, CameraLens{}.fov, options.width, options.height);
       log.push_back(path + ": has no camera; one is placed that sees all of it");
@@ -162,7 +162,7 @@ struct SceneSource::Impl {
     scene.height = options.height;
     scene.fps = options.fps;
     scene.frame_count = options.last_frame - options.first_frame;
-    Box box;
+    WorldBox box;
     grow(box, scene.static_geometry);
     const traces::Mesh moving = emit(pose, true);
     grow(box, moving);

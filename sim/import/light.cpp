@@ -40,7 +40,7 @@ std::optional<traces::Light> make_light(const NodeLight& light, const glm::dmat4
   return out;
 }
 
-double light_exposure(const Model& model, const Pose& pose, const Box& box) {
+double light_exposure(const Model& model, const Pose& pose, const WorldBox& box) {
   const glm::dvec3 center = box.empty() ? glm::dvec3(0.0) : box.center();
   // A lamp inside the scene lights its surroundings, not the one point at the centre.
   const double least = box.empty() ? 1.0 : std::max(0.25 * box.radius(), 1e-6);

@@ -55,7 +55,7 @@ class ObjTextures {
     if (known != known_.end()) return known->second;
     const std::string path = resource_path(folder_of(obj_), name, where);
     const std::vector<std::uint8_t> bytes = read_file(path, max_obj);
-    Image image = decode_image(bytes.data(), bytes.size(), path);
+    DecodedImage image = decode_image(bytes.data(), bytes.size(), path);
     // OBJ counts v from the bottom row, the unit from the top: the importer turns v around, not the picture.
     traces::Texture texture;
     texture.name = name;

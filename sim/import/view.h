@@ -21,13 +21,13 @@ CameraPlace look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::
 traces::Camera make_camera(const CameraPlace& place, const CameraLens& lens, std::uint32_t width, std::uint32_t height);
 
 /// A three-quarter view from slightly above that holds the whole box.
-CameraPlace frame_box(const Box& box, double fov, std::uint32_t width, std::uint32_t height);
+CameraPlace frame_box(const WorldBox& box, double fov, std::uint32_t width, std::uint32_t height);
 
 /// A file's light in a pose, `exposure` times as bright.  Nothing where its matrix has no direction.
 std::optional<traces::Light> make_light(const NodeLight& light, const glm::dmat4& world, double exposure);
 
 /// The factor that gives the brightest of the file's lights an irradiance of 1 at the box's centre; 1 if all are dark.
-double light_exposure(const Model& model, const Pose& pose, const Box& box);
+double light_exposure(const Model& model, const Pose& pose, const WorldBox& box);
 
 struct Surroundings {
   std::vector<traces::Light> lights;

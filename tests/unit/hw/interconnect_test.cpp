@@ -21,7 +21,7 @@ struct Crossbar {
       masters.push_back(std::make_unique<Client>(bench, "master" + std::to_string(i), interconnect, 4, hop, hop));
       interconnect.add_master(masters.back()->link);
     }
-    interconnect.flag_requests();
+    interconnect.flag_channels();
   }
   Client& master(std::size_t i) { return *masters[i]; }
   Bench bench;
