@@ -12,11 +12,11 @@
 #include "sim/config/configuration.h"
 #include "sim/config/cross_check.h"
 #include "sim/config/dump.h"
-#include "sim/precision/gnuplot.h"
 #include "sim/precision/plot.h"
 #include "sim/precision/report.h"
 #include "sim/precision/sweep.h"
 #include "sim/report/file.h"
+#include "sim/report/gnuplot.h"
 #include "sim/report/names.h"
 #include "sim/report/run_folder.h"
 

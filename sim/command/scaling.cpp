@@ -10,8 +10,8 @@
 #include "sim/command/run_report.h"
 #include "sim/config/configuration.h"
 #include "sim/config/dump.h"
-#include "sim/precision/gnuplot.h"
 #include "sim/report/file.h"
+#include "sim/report/gnuplot.h"
 #include "sim/report/run_folder.h"
 #include "sim/scaling/scaling.h"
 

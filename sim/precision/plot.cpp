@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "sim/precision/axis.h"
+#include "sim/report/gnuplot.h"
 #include "sim/report/names.h"
 
 namespace artu::sim {
@@ -89,16 +90,6 @@ std::vector<Column> labelled(std::vector<Column> columns) {
   return chosen;
 }
 
-/// In gnuplot's single quotes.
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) {
-    if (c == '\'') out += c;
-    out += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-  }
-  return out + "'";
-}
-
 }  // namespace
 
 std::string plot_data(const Rows& rows, std::uint32_t frames) {
@@ -166,7 +157,7 @@ std::string plot_script(const Rows& rows, std::uint32_t frames, const std::strin
       "unset output\n"
       "}}\n",
       plot_script_file, plot_data_file, names, 640 * drawn, 640 * drawn, drawn,
-      quoted(title + "; points are named by M"), body);
+      gnuplot_literal(title + "; points are named by M"), body);
 }
 
 }  // namespace artu::sim

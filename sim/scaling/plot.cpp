@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "sim/report/gnuplot.h"
 #include "sim/scaling/scaling.h"
 
 namespace artu::sim {
@@ -11,14 +12,6 @@ namespace artu::sim {
 namespace {
 constexpr std::size_t drawn[] = {0, 1, 5, 6, 8};  // of the demands
 
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) {
-    if (c == '\'') out += c;
-    out += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-  }
-  return out + "'";
-}
 }  // namespace
 
 std::string scaling_data(const std::vector<ScalingRow>& rows) {
@@ -72,8 +65,8 @@ std::string scaling_script(const Variation& variation, const std::vector<Scaling
       "unset multiplot\n"
       "unset output\n"
       "}}\n",
-      scaling_script_file, scaling_data_file, rows.size() - 1, quoted(title), std::size(drawn) + 4,
-      quoted(variation.parameter), lines, 1.15 * best);
+      scaling_script_file, scaling_data_file, rows.size() - 1, gnuplot_literal(title), std::size(drawn) + 4,
+      gnuplot_literal(variation.parameter), lines, 1.15 * best);
 }
 
 }  // namespace artu::sim

@@ -1,4 +1,4 @@
-#include "sim/precision/gnuplot.h"
+#include "sim/report/gnuplot.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -42,6 +42,15 @@ std::string run_gnuplot(const std::string& folder, const std::string& script) {
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
   return "gnuplot failed";
+}
+
+std::string gnuplot_literal(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) {
+    if (c == '\'') out += c;
+    out += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+  }
+  return out + "'";
 }
 
 }  // namespace artu::sim
