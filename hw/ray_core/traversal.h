@@ -1,8 +1,7 @@
 // Walks both trees for many rays at a time: fetches nodes, tests child boxes or planes, keeps a stack for each ray.
 //
 // In:  rays from the ray generator; leaves tested, from intersection; nodes from the node cache; lines of spilled
-// stacks;
-//      from the control unit that the dynamic tree is built.
+//      stacks; from the control unit that the dynamic tree is built.
 // Out: leaves to intersection; finished rays to hit_point (hit), to shading (miss, shadow).
 // Latency: `box`, `wide_box` or `plane`, as the kind of tree asks, from a node's last line to the ray's next step.
 // Initiation interval: tests / box_testers cycles a node (8-wide nodes are two lines), at least `node_interval`; 1 for
@@ -107,6 +106,7 @@ class Traversal : public Block {
 
   // traversal_stack.cpp
   std::uint32_t entries_in_a_line() const;
+  Address spilled_line(Slot slot, std::uint32_t entry) const;
   void overflow(Slot slot, RayContext& context);
   Advance underflow(Slot slot, RayContext& context);
   bool await_spills(RayContext& context);

@@ -5,13 +5,20 @@ namespace artu::hw {
 
 namespace {
 constexpr std::uint32_t refill_tag = 1u << 16;  // beside the slot
-}
+static_assert(spill_bytes == maximum_stack * spill_entry_bytes);
+}  // namespace
 
 /// A BVH's entry is a node and where its box begins; a kd-tree's has its interval's end, too.
 std::uint32_t Traversal::entries_in_a_line() const {
   const bool intervals =
       registers_.descriptor.static_kind == TreeKind::kd || registers_.descriptor.dynamic_kind == TreeKind::kd;
-  return line_bytes / (intervals ? 16 : 8);
+  return static_cast<std::uint32_t>(line_bytes / (intervals ? spill_entry_bytes : spill_entry_bytes / 2));
+}
+
+/// Where the line lies in which the entry is spilled.
+Address Traversal::spilled_line(Slot slot, std::uint32_t entry) const {
+  const Address area = registers_.descriptor.stack_spills + (Address{core_} * contexts_.size() + slot) * spill_bytes;
+  return area + entry / entries_in_a_line() * line_bytes;
 }
 
 /// Makes room on chip.
@@ -21,12 +28,9 @@ void Traversal::overflow(Slot slot, RayContext& context) {
     stack.give_up(stack.on_chip() - config_.stack_entries);
     return;
   }
-  const std::uint32_t entries = entries_in_a_line();
-  const Address area = registers_.descriptor.stack_spills + (Address{core_} * contexts_.size() + slot) * spill_bytes;
   while (stack.on_chip() > config_.stack_entries) {
-    ports_.spills->request.push(
-        {area + stack.bottom() / entries * line_bytes, ~std::uint64_t{0}, std::uint32_t{slot}, 0});
-    stack.give_up(entries);
+    ports_.spills->request.push({spilled_line(slot, stack.bottom()), ~std::uint64_t{0}, std::uint32_t{slot}, 0});
+    stack.give_up(entries_in_a_line());
     ++context.spills;
     ++spilled_lines_;
   }
@@ -50,10 +54,7 @@ Traversal::Advance Traversal::underflow(Slot slot, RayContext& context) {
   }
   if (await_spills(context)) return Advance::done;
   if (!ports_.spills->request.can_push()) return Advance::blocked_memory;
-  const std::uint32_t entries = entries_in_a_line();
-  const Address area = registers_.descriptor.stack_spills + (Address{core_} * contexts_.size() + slot) * spill_bytes;
-  ports_.spills->request.push(
-      {area + (context.stack.bottom() / entries - 1) * line_bytes, 0, std::uint32_t{slot} | refill_tag, 0});
+  ports_.spills->request.push({spilled_line(slot, context.stack.bottom() - 1), 0, std::uint32_t{slot} | refill_tag, 0});
   ++awaited_;
   ++refilled_lines_;
   return Advance::done;

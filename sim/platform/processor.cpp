@@ -44,10 +44,9 @@ void Processor::copy(tlm::tlm_command command, std::uint64_t address, std::uint8
   }
 }
 
-std::uint32_t Processor::read(std::uint32_t offset) {
-  unsigned char data[4];
+void Processor::access(tlm::tlm_command command, std::uint32_t offset, unsigned char* data) {
   tlm::tlm_generic_payload payload;
-  payload.set_command(tlm::TLM_READ_COMMAND);
+  payload.set_command(command);
   payload.set_address(offset);
   payload.set_data_ptr(data);
   payload.set_data_length(4);
@@ -56,22 +55,18 @@ std::uint32_t Processor::read(std::uint32_t offset) {
   unit->b_transport(payload, delay);
   if (!payload.is_response_ok()) throw std::runtime_error("register: " + payload.get_response_string());
   wait(delay);
+}
+
+std::uint32_t Processor::read(std::uint32_t offset) {
+  unsigned char data[4];
+  access(tlm::TLM_READ_COMMAND, offset, data);
   return data[0] | data[1] << 8 | data[2] << 16 | static_cast<std::uint32_t>(data[3]) << 24;
 }
 
 void Processor::write(std::uint32_t offset, std::uint32_t value) {
   unsigned char data[4];
   for (int i = 0; i < 4; ++i) data[i] = static_cast<unsigned char>(value >> (8 * i));
-  tlm::tlm_generic_payload payload;
-  payload.set_command(tlm::TLM_WRITE_COMMAND);
-  payload.set_address(offset);
-  payload.set_data_ptr(data);
-  payload.set_data_length(4);
-  payload.set_streaming_width(4);
-  sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
-  unit->b_transport(payload, delay);
-  if (!payload.is_response_ok()) throw std::runtime_error("register: " + payload.get_response_string());
-  wait(delay);
+  access(tlm::TLM_WRITE_COMMAND, offset, data);
 }
 
 void Processor::program() {

@@ -29,6 +29,7 @@ class Processor : public sc_core::sc_module {
   void program();
   void render();
   void copy(tlm::tlm_command command, std::uint64_t address, std::uint8_t* data, std::uint64_t bytes);
+  void access(tlm::tlm_command command, std::uint32_t offset, unsigned char* data);
   std::uint32_t read(std::uint32_t offset);
   void write(std::uint32_t offset, std::uint32_t value);
 
