@@ -12,6 +12,7 @@ namespace artu::ref {
 struct Golden::Impl {
   Impl(const traces::Scene& scene_in, const Settings& settings_in)
       : scene(scene_in), settings(settings_in), geometry(scene, HitTests(settings.precision)) {
+    check(settings);
     with_format(settings.precision.shading, [](auto) {});  // refuses a bad width now and not with the first frame
     srgb();                                                // before the first frame's clock runs
   }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "ref/precision.h"
@@ -13,14 +14,26 @@
 
 namespace artu::ref {
 
+enum class Passes : std::uint8_t { horizontal_vertical, average };
+enum class Count : std::uint8_t { per_class, merged };
+enum class Compare : std::uint8_t { dynamic_vs_static, reference_count };
 enum class Magnitude : std::uint8_t { fixed, proportional, progressive };
+enum class Metric : std::uint8_t { max_channel, sum, luma };
 enum class HitClass : std::uint8_t { none, miss, static_geometry, dynamic_geometry };
 enum class Decision : std::uint8_t { sampled, interpolated, traced };
 
 /// The settings that change pixels (docs/selective-rendering.md, docs/arithmetic.md section 7).
 struct Settings {
   bool selective = true;
+  int stride = 2;  // 2, 4 or 8
+  Passes passes = Passes::horizontal_vertical;
+  std::string policy = "attention";
+  std::array<int, 4> policy_registers{};  // 0 ... 255
   bool adaptive = true;
+  Count count = Count::per_class;
+  Compare compare = Compare::dynamic_vs_static;
+  int reference_count = 2;  // 0 ... 8
+  Metric metric = Metric::max_channel;
   Magnitude magnitude = Magnitude::proportional;
   int reference = 16, minimum = 0, maximum = 255;  // thresholds, 8-bit codes
   int step = 2;
@@ -57,7 +70,8 @@ struct Result {
 class Golden {
  public:
   /// `scene` must outlive the model; it and the frames are taken as `traces::validate` leaves them.
-  /// Throws std::invalid_argument where a width of `settings.precision` is outside of 7 ... 23.
+  /// Throws std::invalid_argument where a width of `settings.precision` is outside of 7 ... 23, and where `check`
+  /// (ref/selective.h) does.
   Golden(const traces::Scene& scene, const Settings& settings);
   ~Golden();
   /// Frames may come in any order; the result depends on scene, settings and frame alone.  Not for two threads at a

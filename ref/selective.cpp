@@ -1,76 +1,136 @@
 #include "ref/selective.h"
 
 #include <cstdlib>
+#include <stdexcept>
 
 namespace artu::ref {
 namespace {
 
-int clamped(int x, int lowest, int highest) { return x < lowest ? lowest : x > highest ? highest : x; }
+// Places in the ring, which goes row by row without the candidate in its middle.
+constexpr std::size_t above = 1, left = 3, right = 4, below = 6;
 
-int move_of(const Settings& settings, int difference) {
-  switch (settings.magnitude) {
-    case Magnitude::fixed:
-      return settings.step;
-    case Magnitude::proportional:
-      return settings.step * difference;
-    case Magnitude::progressive:
-      break;
-  }
-  return settings.table[static_cast<std::size_t>(difference - 1)];
+Color color_of(const Pixel& pixel) { return {pixel.r, pixel.g, pixel.b}; }
+
+int luma(Color c) { return (77 * c.r + 150 * c.g + 29 * c.b + 128) >> 8; }
+
+// Only pixels of an earlier pass: those of the same pass may or may not be there yet, and results must not depend on
+// timing.
+Neighbour neighbour_at(const Settings& settings, const Image& image, std::uint32_t x, std::uint32_t y,
+                       std::uint8_t pass) {
+  Neighbour neighbour;
+  if (x >= image.width || y >= image.height) return neighbour;  // left of and above the image wraps to large numbers
+  if (place_of(settings, x, y).pass >= pass) return neighbour;
+  const Pixel& pixel = image.at(x, y);
+  neighbour.finished = true;
+  neighbour.color = color_of(pixel);
+  neighbour.hit_class = pixel.hit_class;
+  return neighbour;
 }
 
-// Neighbours of an earlier pass only: those of the same pass may or may not be there yet, and results must not
-// depend on timing.
-void count_neighbours(const Image& image, std::uint32_t x, std::uint32_t y, Pixel& pixel) {
+void gather_ring(const Settings& settings, const Image& image, Candidate& candidate) {
+  std::size_t i = 0;
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
-      const std::uint32_t nx = x + static_cast<std::uint32_t>(dx), ny = y + static_cast<std::uint32_t>(dy);
-      if (nx >= image.width || ny >= image.height) continue;  // -1 wraps to the largest number
-      if (pass_of(nx, ny) >= pixel.pass) continue;            // the candidate itself too
-      const HitClass hit = image.at(nx, ny).hit_class;        // `none` where interpolated
-      if (hit == HitClass::static_geometry) ++pixel.n_static;
-      if (hit == HitClass::dynamic_geometry) ++pixel.n_dynamic;
+      if (dx == 0 && dy == 0) continue;
+      const std::uint32_t x = candidate.x + static_cast<std::uint32_t>(dx) * candidate.place.h;
+      const std::uint32_t y = candidate.y + static_cast<std::uint32_t>(dy) * candidate.place.h;
+      candidate.ring[i++] = neighbour_at(settings, image, x, y, candidate.place.pass);
     }
   }
 }
 
-int color_difference(const Pixel& a, const Pixel& b) {
-  const int r = std::abs(a.r - b.r), g = std::abs(a.g - b.g), bl = std::abs(a.b - b.b);
-  const int rg = r > g ? r : g;
-  return rg > bl ? rg : bl;
+/// Adds the pair of two neighbours; false where one is missing.
+bool add_pair(const Settings& settings, Candidate& candidate, std::size_t a, std::size_t b) {
+  const Neighbour &first = candidate.ring[a], &second = candidate.ring[b];
+  Pair& pair = candidate.pair[static_cast<std::size_t>(candidate.pairs++)];
+  pair = {first.color, second.color};
+  candidate.difference += difference_of(settings.metric, pair.a, pair.b);
+  return first.finished && second.finished;
 }
 
-std::uint8_t halfway(std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>((a + b + 1) >> 1); }
+void gather_pairs(const Settings& settings, Candidate& candidate) {
+  candidate.pairs = candidate.difference = 0;
+  bool complete = true;
+  if (candidate.place.kind != PassKind::vertical) complete &= add_pair(settings, candidate, left, right);
+  if (candidate.place.kind != PassKind::horizontal) complete &= add_pair(settings, candidate, above, below);
+  if (!complete) candidate.difference = -1;
+}
+
+/// The mean of the pairs' colours, halves rounded up.
+void interpolate(const Candidate& candidate, Pixel& pixel) {
+  const int pixels = 2 * candidate.pairs;
+  int r = candidate.pairs, g = r, b = r;  // half of what is divided by
+  for (int i = 0; i < candidate.pairs; ++i) {
+    const Pair& pair = candidate.pair[static_cast<std::size_t>(i)];
+    r += pair.a.r + pair.b.r;
+    g += pair.a.g + pair.b.g;
+    b += pair.a.b + pair.b.b;
+  }
+  pixel.r = static_cast<std::uint8_t>(r / pixels);
+  pixel.g = static_cast<std::uint8_t>(g / pixels);
+  pixel.b = static_cast<std::uint8_t>(b / pixels);
+}
 
 }  // namespace
 
-int threshold_of(const Settings& settings, int n_static, int n_dynamic) {
-  int threshold = settings.reference;
-  if (settings.adaptive && n_static != n_dynamic) {
-    const int move = move_of(settings, std::abs(n_dynamic - n_static));
-    threshold = n_dynamic > n_static ? threshold - move : threshold + move;
+void check(const Settings& settings) {
+  if (settings.stride != 2 && settings.stride != 4 && settings.stride != 8) {
+    throw std::invalid_argument("stride is " + std::to_string(settings.stride) + ", not 2, 4 or 8");
   }
-  return clamped(threshold, settings.minimum, settings.maximum);
+  if (settings.count == Count::merged && settings.compare != Compare::reference_count) {
+    throw std::invalid_argument(
+        "a merged count has no sides to compare: it needs the comparison with a reference count");
+  }
+  if (settings.reference_count < 0 || settings.reference_count > 8) {
+    throw std::invalid_argument("reference_count is " + std::to_string(settings.reference_count) + ", not 0 ... 8");
+  }
+  policy_named(settings.policy);
 }
 
-void decide(const Settings& settings, const Image& image, std::uint32_t x, std::uint32_t y) {
-  Pixel& pixel = image.at(x, y);
-  pixel.pass = pass_of(x, y);
-  count_neighbours(image, x, y, pixel);
-  pixel.threshold = static_cast<std::int16_t>(threshold_of(settings, pixel.n_static, pixel.n_dynamic));
-  pixel.decision = Decision::traced;
+int difference_of(Metric metric, Color a, Color b) {
+  const int red = std::abs(a.r - b.r), green = std::abs(a.g - b.g), blue = std::abs(a.b - b.b);
+  switch (metric) {
+    case Metric::sum:
+      return red + green + blue;
+    case Metric::luma:
+      return std::abs(luma(a) - luma(b));
+    case Metric::max_channel:
+      break;
+  }
+  const int larger = red > green ? red : green;
+  return larger > blue ? larger : blue;
+}
 
-  // The pair always begins left of or above the candidate, inside the image; its other half may be missing.
-  const bool horizontal = pixel.pass == 1;
-  if (horizontal ? x + 1 >= image.width : y + 1 >= image.height) return;
-  const Pixel& a = horizontal ? image.at(x - 1, y) : image.at(x, y - 1);
-  const Pixel& b = horizontal ? image.at(x + 1, y) : image.at(x, y + 1);
-  pixel.difference = static_cast<std::int16_t>(color_difference(a, b));
-  if (pixel.difference > pixel.threshold) return;
-  pixel.decision = Decision::interpolated;
-  pixel.r = halfway(a.r, b.r);
-  pixel.g = halfway(a.g, b.g);
-  pixel.b = halfway(a.b, b.b);
+Candidate candidate_at(const Settings& settings, const Image& image, std::uint32_t x, std::uint32_t y) {
+  Candidate candidate;
+  candidate.x = x;
+  candidate.y = y;
+  candidate.place = place_of(settings, x, y);
+  gather_ring(settings, image, candidate);
+  for (const Neighbour& neighbour : candidate.ring) {
+    candidate.n_static += neighbour.hit_class == HitClass::static_geometry;
+    candidate.n_dynamic += neighbour.hit_class == HitClass::dynamic_geometry;
+  }
+  gather_pairs(settings, candidate);
+  return candidate;
+}
+
+void decide(const Settings& settings, Policy policy, const Image& image, std::uint32_t x, std::uint32_t y) {
+  const Candidate candidate = candidate_at(settings, image, x, y);
+  const int threshold = policy(candidate, settings);
+  if (threshold < 0 || threshold > 255) {
+    throw std::logic_error("policy \"" + settings.policy + "\": threshold " + std::to_string(threshold));
+  }
+  Pixel& pixel = image.at(x, y);
+  pixel.pass = candidate.place.pass;
+  pixel.n_static = static_cast<std::uint8_t>(candidate.n_static);
+  pixel.n_dynamic = static_cast<std::uint8_t>(candidate.n_dynamic);
+  pixel.threshold = static_cast<std::int16_t>(threshold);
+  pixel.difference = static_cast<std::int16_t>(candidate.difference);
+  // The sum over two pairs against twice the threshold: their mean without a division.
+  const bool similar = candidate.difference >= 0 && candidate.difference <= candidate.pairs * threshold;
+  pixel.decision = similar ? Decision::interpolated : Decision::traced;
+  if (similar) interpolate(candidate, pixel);
 }
 
 }  // namespace artu::ref
