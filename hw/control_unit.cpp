@@ -1,7 +1,5 @@
 #include "hw/control_unit.h"
 
-#include "hw/selective/candidate_pixel_extractor.h"
-
 namespace artu::hw {
 
 void ControlUnit::reset() {
@@ -69,20 +67,16 @@ void ControlUnit::enter(Phase phase, Cycle now) {
   for (Block* block : listeners_) block->set_phase(phase);
 }
 
-std::uint64_t ControlUnit::pixels_of(std::uint8_t pass) const {
+std::uint64_t ControlUnit::pixels_of(std::uint32_t pass) const {
   const FrameDescriptor& frame = registers_.descriptor;
-  if (pass == 0) {
-    const std::uint32_t stride = selective_.enabled ? 2 : 1;
-    return TileWalk(frame.width, frame.height, selective_.tile, 0, stride, 0, stride).pixels();
-  }
-  if (!selective_.enabled) return 0;
-  return CandidatePixelExtractor::walk(pass, frame.width, frame.height, selective_.tile).pixels();
+  return plan_.walk(pass, frame.width, frame.height, tile_).pixels();
 }
 
-void ControlUnit::begin_pass(std::uint8_t pass, Cycle now) {
-  while (pass <= 2 && pixels_of(pass) == 0) ++pass;
+/// Or the first one after it that has a pixel; after the last one the frame is written back.
+void ControlUnit::begin_pass(std::uint32_t pass, Cycle now) {
+  while (pass < plan_.passes() && pixels_of(pass) == 0) ++pass;
   pass_ = pass;
-  if (pass > 2) {
+  if (pass == plan_.passes()) {
     if (building_) {
       step_ = Step::tree;
       enter(phase_build, now);
@@ -92,11 +86,14 @@ void ControlUnit::begin_pass(std::uint8_t pass, Cycle now) {
     return;
   }
   step_ = Step::pass;
-  if (pass <= 1) enter(pass == 0 ? phase_first : phase_selective, now);
-  if (pass == 2 && phase_ != phase_selective) enter(phase_selective, now);
+  if (pass == 0) {
+    enter(phase_first, now);
+  } else if (phase_ != phase_selective) {
+    enter(phase_selective, now);
+  }
   ports_.pass->push({pixels_of(pass)});
-  const auto stride = static_cast<std::uint8_t>(selective_.enabled ? 2 : 1);
-  (pass == 0 ? ports_.first : ports_.extract)->push({pass, stride});
+  (pass == 0 ? ports_.first : ports_.extract)
+      ->push({static_cast<std::uint8_t>(pass), static_cast<std::uint8_t>(plan_.stride())});
 }
 
 void ControlUnit::begin_flush(Cycle now) {
@@ -153,7 +150,7 @@ Activity ControlUnit::tick(Cycle now) {
     case Step::pass:
       if (ports_.written->can_pop()) {
         ports_.written->pop();
-        begin_pass(static_cast<std::uint8_t>(pass_ + 1), now);
+        begin_pass(pass_ + 1, now);
       } else if (!built) {
         return {State::stall_in};
       }

@@ -16,6 +16,7 @@
 #include "hw/memory/image.h"
 #include "hw/memory/tree_builder.h"
 #include "hw/ray_core/ray_context.h"
+#include "hw/selective/pass_plan.h"
 #include "hw/selective/tokens.h"
 
 namespace artu::hw {
@@ -24,7 +25,12 @@ class ControlUnit : public Block {
  public:
   ControlUnit(sc_core::sc_module_name name, ClockDomain& domain, const SelectiveConfig& selective,
               const ShadingConfig& shading, FrameRegisters& registers, const MemoryImage& image)
-      : Block(name, domain), selective_(selective), shading_(shading), registers_(registers), image_(image) {}
+      : Block(name, domain),
+        plan_(selective),
+        tile_(selective.tile),
+        shading_(shading),
+        registers_(registers),
+        image_(image) {}
 
   struct Ports {
     MemoryLink* memory;
@@ -58,10 +64,11 @@ class ControlUnit : public Block {
   void begin_flush(Cycle now);
   bool collect_flushed();
   void enter(Phase phase, Cycle now);
-  void begin_pass(std::uint8_t pass, Cycle now);
-  std::uint64_t pixels_of(std::uint8_t pass) const;
+  void begin_pass(std::uint32_t pass, Cycle now);
+  std::uint64_t pixels_of(std::uint32_t pass) const;
 
-  const SelectiveConfig selective_;
+  const PassPlan plan_;
+  const std::uint32_t tile_;
   const ShadingConfig shading_;
   FrameRegisters& registers_;
   const MemoryImage& image_;
@@ -71,7 +78,7 @@ class ControlUnit : public Block {
   Step step_ = Step::fetch;
   bool building_ = false;
   std::size_t banks_flushed_ = 0;
-  std::uint8_t pass_ = 0;
+  std::uint32_t pass_ = 0;
   std::uint64_t lines_ = 0, issued_ = 0, answered_ = 0;
   Cycle finished_at_ = never, phase_began_ = 0;
   Phase phase_ = phase_start;

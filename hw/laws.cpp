@@ -48,9 +48,8 @@ void RayTracingUnit::check_laws(FrameResult& result, const PixelRecords* records
   }
   const FrameDescriptor& frame = registers_.descriptor;
   const std::uint64_t pixels = std::uint64_t{frame.width} * frame.height;
-  const std::uint64_t sampled = config_.selective.enabled
-                                    ? (std::uint64_t{frame.width} + 1) / 2 * ((std::uint64_t{frame.height} + 1) / 2)
-                                    : pixels;
+  const std::uint64_t sampled =
+      PassPlan(config_.selective).walk(0, frame.width, frame.height, config_.selective.tile).pixels();
   laws.equal("candidates", pixels - sampled, "interpolated + traced",
              render_executor.interpolated() + render_executor.traced());
   laws.equal("primary rays", primary, "sampled + traced pixels", sampled + render_executor.traced());

@@ -1,5 +1,7 @@
 #include "hw/unit_config.h"
 
+#include "hw/selective/policy.h"
+
 namespace artu::hw {
 
 void OperatorConfig::visit(ParameterVisitor& v) {
@@ -77,13 +79,26 @@ void ShadingConfig::visit(ParameterVisitor& v) {
 
 void SelectiveConfig::visit(ParameterVisitor& v) {
   v.flag("enabled", enabled, "selective rendering; false traces every pixel");
-  v.flag("adaptive", adaptive, "the threshold follows the hits around a pixel; false keeps the reference");
+  v.integer("stride", stride, {2, 8, true}, "pixels", "distance of the sampling pixels; at most `tile`");
+  v.choice("passes", passes, {"horizontal-vertical", "average"},
+           "what lies amid four samples is compared with the pixels above and below, or with all four neighbours");
+  v.choice("metric", metric, {"max-channel", "sum", "luma"},
+           "difference of two colours: of the channel that differs most, of all three, or of the brightness");
+  v.choice("policy", policy, policy_names(), "what sets a candidate's threshold");
+  v.table("policy_registers", policy_registers, {0, 255}, "", "for policies without parameters of their own");
+  v.flag("adaptive", adaptive, "attention: the threshold follows the hits around a pixel; false keeps the reference");
+  v.choice("count", count, {"per-class", "merged"},
+           "attention: dynamic hits count, or static ones as well, which goes with compare = reference-count alone");
+  v.choice("compare", compare, {"dynamic-vs-static", "reference-count"},
+           "attention: dynamic hits are compared with static ones, or the count with reference_count");
+  v.integer("reference_count", reference_count, {0, 8}, "hits", "attention: the count that leaves the threshold alone");
   v.integer("reference", reference, {0, 255}, "codes", "reference threshold, a difference of 8-bit colour codes");
   v.integer("minimum", minimum, {0, 255}, "codes", "smallest threshold after adjustment");
   v.integer("maximum", maximum, {0, 255}, "codes", "largest threshold after adjustment");
-  v.choice("magnitude", magnitude, {"fixed", "proportional", "progressive"}, "size of the threshold's move");
-  v.integer("step", step, {0, 255}, "codes", "the move, or with proportional the move for each hit of difference");
-  v.table("table", table, {0, 255}, "codes", "the move for a difference of 1 ... 8 hits, with progressive");
+  v.choice("magnitude", magnitude, {"fixed", "proportional", "progressive"}, "attention: size of the threshold's move");
+  v.integer("step", step, {0, 255}, "codes",
+            "attention: the move, or with proportional the move for each hit of difference");
+  v.table("table", table, {0, 255}, "codes", "attention: the move for a difference of 1 ... 8 hits, with progressive");
   v.integer("tile", tile, {4, 256, true}, "pixels", "edge of the tiles in which pixels are visited");
   visit_cache(v, "pixel_cache", "frame buffer lines read by the candidate-pixel extractor", pixel_cache);
 }

@@ -60,10 +60,24 @@ struct RayCoreConfig {
 };
 
 enum class Magnitude : std::uint8_t { fixed, proportional, progressive };
+enum class Passes : std::uint8_t { horizontal_vertical, average };
+/// What counts as a hit, against what: of `policy` attention.
+enum class Count : std::uint8_t { per_class, merged };
+enum class Compare : std::uint8_t { dynamic_vs_static, reference_count };
+enum class Metric : std::uint8_t { max_channel, sum, luma };
 
 struct SelectiveConfig {
   bool enabled = true;
+  std::uint32_t stride = 2;  // pixels, distance of the sampling pixels
+  Passes passes = Passes::horizontal_vertical;
+  bool overlap = false;  // a pass begins while the one before goes on elsewhere
+  Metric metric = Metric::max_channel;
+  std::uint32_t policy = 0;  // its place in hw/selective/policy.h's list; attention is the first
+  std::array<std::uint32_t, 4> policy_registers{};
   bool adaptive = true;
+  Count count = Count::per_class;
+  Compare compare = Compare::dynamic_vs_static;
+  std::uint32_t reference_count = 2;
   std::uint32_t reference = 16, minimum = 0, maximum = 255;
   Magnitude magnitude = Magnitude::proportional;
   std::uint32_t step = 2;

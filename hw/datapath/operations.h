@@ -85,10 +85,10 @@ inline constexpr Operations hit_point{57, 65, 4, 2, 34};
 
 // Of the selective blocks, on 8-bit integers, for a candidate.
 namespace integer_operations {
-inline constexpr std::uint32_t count_hits = 16;       // eight neighbours, two classes
-inline constexpr std::uint32_t adjust_threshold = 5;  // difference, its size, the move, two limits
-inline constexpr std::uint32_t color_difference = 6;  // three differences, two maxima, one comparison
-inline constexpr std::uint32_t interpolate = 6;       // a sum and a rounding a channel
+inline constexpr std::uint32_t count_hits = 16;  // eight neighbours, two classes
+inline constexpr std::uint32_t interpolate = 6;  // a sum and a rounding a channel
+/// Three differences, two maxima or sums; or twice three products and three sums, and a difference.  One comparison.
+constexpr std::uint32_t color_difference(Metric metric) { return metric == Metric::luma ? 14 : 6; }
 }  // namespace integer_operations
 
 }  // namespace artu::hw

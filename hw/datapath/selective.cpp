@@ -5,45 +5,51 @@
 
 namespace artu::hw {
 
-HitCounts count_hits(const std::array<HitClass, 8>& neighbours) {
+namespace {
+/// 8 bits, of weights that add up to 256.
+int luma(Rgb color) { return (77 * color.r + 150 * color.g + 29 * color.b + 128) >> 8; }
+}  // namespace
+
+HitCounts count_hits(const Ring& ring) {
   HitCounts counts;
-  for (HitClass hit_class : neighbours) {
-    counts.n_static += hit_class == HitClass::static_geometry;
-    counts.n_dynamic += hit_class == HitClass::dynamic_geometry;
+  for (const Neighbour& neighbour : ring) {
+    counts.n_static += neighbour.hit_class == HitClass::static_geometry;
+    counts.n_dynamic += neighbour.hit_class == HitClass::dynamic_geometry;
   }
   return counts;
 }
 
-std::uint8_t adjusted_threshold(const SelectiveConfig& config, HitCounts counts) {
-  const int excess = static_cast<int>(counts.n_dynamic) - static_cast<int>(counts.n_static);
-  const int difference = std::abs(excess);
-  int move = 0;
-  if (config.adaptive && difference > 0) {
-    switch (config.magnitude) {
-      case Magnitude::fixed:
-        move = static_cast<int>(config.step);
-        break;
-      case Magnitude::proportional:
-        move = static_cast<int>(config.step) * difference;
-        break;
-      case Magnitude::progressive:
-        move = static_cast<int>(config.table[static_cast<std::size_t>(difference - 1)]);
-        break;
-    }
+std::uint16_t color_difference(Metric metric, Rgb a, Rgb b) {
+  const int red = std::abs(a.r - b.r), green = std::abs(a.g - b.g), blue = std::abs(a.b - b.b);
+  int difference = 0;
+  switch (metric) {
+    case Metric::max_channel:
+      difference = std::max({red, green, blue});
+      break;
+    case Metric::sum:
+      difference = red + green + blue;
+      break;
+    case Metric::luma:
+      difference = std::abs(luma(a) - luma(b));
+      break;
   }
-  const int threshold = static_cast<int>(config.reference) + (excess > 0 ? -move : move);
-  return static_cast<std::uint8_t>(
-      std::clamp(threshold, static_cast<int>(config.minimum), static_cast<int>(config.maximum)));
+  return static_cast<std::uint16_t>(difference);
 }
 
-std::uint8_t color_difference(Rgb a, Rgb b) {
-  const int r = std::abs(a.r - b.r), g = std::abs(a.g - b.g), blue = std::abs(a.b - b.b);
-  return static_cast<std::uint8_t>(std::max({r, g, blue}));
+int color_difference(Metric metric, const Pairs& pairs) {
+  if (pairs.count == 0) return -1;
+  int sum = 0;
+  for (std::size_t i = 0; i < pairs.count; ++i) sum += color_difference(metric, pairs.color[i][0], pairs.color[i][1]);
+  return sum;
 }
 
-Rgb interpolate(Rgb a, Rgb b) {
-  const auto mean = [](unsigned p, unsigned q) { return static_cast<std::uint8_t>((p + q + 1) >> 1); };
-  return {mean(a.r, b.r), mean(a.g, b.g), mean(a.b, b.b)};
+Rgb interpolate(const Pairs& pairs) {
+  const auto mean = [&pairs](std::uint8_t Rgb::*channel) {
+    unsigned sum = pairs.count;  // half of the number of colours, for the rounding
+    for (std::size_t i = 0; i < pairs.count; ++i) sum += pairs.color[i][0].*channel + pairs.color[i][1].*channel;
+    return static_cast<std::uint8_t>(sum >> pairs.count);
+  };
+  return {mean(&Rgb::r), mean(&Rgb::g), mean(&Rgb::b)};
 }
 
 }  // namespace artu::hw

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <vector>
@@ -20,6 +21,14 @@ struct RealRange {
   double minimum, maximum;
 };
 
+/// The values of a table parameter, wherever they are kept.
+struct TableValues {
+  std::uint32_t* first;
+  std::size_t size;
+  std::uint32_t* begin() const { return first; }
+  std::uint32_t* end() const { return first + size; }
+};
+
 class ParameterVisitor {
  public:
   virtual ~ParameterVisitor() = default;
@@ -33,9 +42,14 @@ class ParameterVisitor {
                        const char* text) = 0;
   virtual void real(const char* name, float& value, RealRange range, const char* unit, const char* text) = 0;
   virtual void flag(const char* name, bool& value, const char* text) = 0;
-  virtual void table(const char* name, std::array<std::uint32_t, 8>& value, IntegerRange range, const char* unit,
-                     const char* text) = 0;
+  virtual void table(const char* name, TableValues values, IntegerRange range, const char* unit, const char* text) = 0;
   virtual void choice(const char* name, unsigned& value, const std::vector<const char*>& names, const char* text) = 0;
+
+  template <std::size_t n>
+  void table(const char* name, std::array<std::uint32_t, n>& values, IntegerRange range, const char* unit,
+             const char* text) {
+    table(name, TableValues{values.data(), n}, range, unit, text);
+  }
 
   /// An enumeration whose values are 0, 1, ... in the order of `names`.
   template <class Enum>

@@ -8,16 +8,12 @@ void CandidatePixelExtractor::reset() {
   candidates_ = spans_ = 0;
 }
 
-TileWalk CandidatePixelExtractor::walk(std::uint32_t pass, std::uint32_t width, std::uint32_t height,
-                                       std::uint32_t tile) {
-  return pass == 1 ? TileWalk(width, height, tile, 1, 2, 0, 2) : TileWalk(width, height, tile, 0, 1, 1, 2);
-}
-
-/// The lines of a row that hold the span and one pixel on either side.
+/// The lines of a row that hold the span and `h` pixels on either side.
 void CandidatePixelExtractor::want_row(Window& window, std::uint32_t y) {
   const FrameDescriptor& frame = registers_.descriptor;
-  const std::uint32_t begin = window.span.begin == 0 ? 0 : window.span.begin - 1;
-  const std::uint32_t last = std::min(window.span.end, frame.width - 1);
+  const std::uint32_t begin = window.span.begin - std::min(window.span.begin, pass_.h);
+  const std::uint32_t last_candidate = window.span.end - 1 - (window.span.end - 1 - window.span.begin) % pass_.dx;
+  const std::uint32_t last = std::min(last_candidate + pass_.h, frame.width - 1);
   const std::uint64_t row = std::uint64_t{y} * frame.pitch;
   for (Address a = line_of(frame.frame_buffer + (row + begin) * 4); a <= frame.frame_buffer + (row + last) * 4;
        a += line_bytes) {
@@ -28,56 +24,51 @@ void CandidatePixelExtractor::want_row(Window& window, std::uint32_t y) {
   }
 }
 
+/// Of the three rows of the neighbours those that earlier passes have finished anything of.
 void CandidatePixelExtractor::open_window() {
   Window& window = window_[open_++ % windows];
   window.span = walk_.span();
   window.lines.clear();
   window.issued = window.answered = 0;
-  if (pass_ == 1) {
-    want_row(window, window.span.y);
-  } else {
-    want_row(window, window.span.y - 1);
-    if (window.span.y + 1 < registers_.descriptor.height) want_row(window, window.span.y + 1);
-  }
+  const std::uint32_t y = window.span.y;
+  if (pass_.compares_columns()) want_row(window, y - pass_.h);
+  if (pass_.compares_rows()) want_row(window, y);
+  if (pass_.compares_columns() && y + pass_.h < registers_.descriptor.height) want_row(window, y + pass_.h);
   if (open_ - first_ == 1) x_ = window.span.begin;
   walk_.next();
   ++spans_;
 }
 
-/// The hit class of a neighbour as far as it counts: inside the image and ray traced in an earlier pass.
-HitClass CandidatePixelExtractor::counted_class(std::int64_t x, std::int64_t y) const {
+Neighbour CandidatePixelExtractor::neighbour(std::int64_t x, std::int64_t y) const {
   const FrameDescriptor& frame = registers_.descriptor;
-  if (x < 0 || y < 0 || x >= frame.width || y >= frame.height) return HitClass::none;
-  const unsigned pass_of_neighbour = y % 2 != 0 ? 2 : x % 2 != 0 ? 1 : 0;
-  if (pass_of_neighbour >= pass_) return HitClass::none;
-  return static_cast<HitClass>(image_.at<std::uint8_t>(frame.hit_classes + static_cast<std::uint64_t>(y) * frame.pitch +
-                                                       static_cast<std::uint64_t>(x)));
-}
-
-Rgb CandidatePixelExtractor::color(std::uint32_t x, std::uint32_t y) const {
-  const FrameDescriptor& frame = registers_.descriptor;
-  const std::uint8_t* bytes = &image_.at<std::uint8_t>(frame.frame_buffer + (std::uint64_t{y} * frame.pitch + x) * 4);
-  return {bytes[0], bytes[1], bytes[2]};
+  if (x < 0 || y < 0 || x >= frame.width || y >= frame.height) return {};
+  const std::uint64_t index = static_cast<std::uint64_t>(y) * frame.pitch + static_cast<std::uint64_t>(x);
+  const std::uint8_t* bytes = &image_.at<std::uint8_t>(frame.frame_buffer + index * 4);
+  const auto hit_class = static_cast<HitClass>(image_.at<std::uint8_t>(frame.hit_classes + index));
+  return {true, hit_class, {bytes[0], bytes[1], bytes[2]}};
 }
 
 Candidate CandidatePixelExtractor::candidate(std::uint32_t x, std::uint32_t y) const {
-  const FrameDescriptor& frame = registers_.descriptor;
   Candidate c;
   c.x = static_cast<std::uint16_t>(x);
   c.y = static_cast<std::uint16_t>(y);
-  c.pass = pass_;
-  std::size_t i = 0;
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      if (dx != 0 || dy != 0) c.neighbours[i++] = counted_class(std::int64_t{x} + dx, std::int64_t{y} + dy);
-    }
+  c.h = static_cast<std::uint8_t>(pass_.h);
+  c.kind = pass_.kind;
+  c.pass = number_;
+  const unsigned finished = pass_.finished_neighbours();
+  const std::int64_t h = pass_.h;
+  for (std::size_t i = 0; i < c.ring.size(); ++i) {
+    if ((finished >> i & 1) == 0) continue;
+    const auto place = static_cast<std::int64_t>(i < 4 ? i : i + 1);  // of 3 x 3
+    c.ring[i] = neighbour(x + (place % 3 - 1) * h, y + (place / 3 - 1) * h);
   }
-  // A candidate is never on the left or upper border, where its index is odd.
-  c.pair = pass_ == 1 ? x + 1 < frame.width : y + 1 < frame.height;
-  if (c.pair) {
-    c.a = pass_ == 1 ? color(x - 1, y) : color(x, y - 1);
-    c.b = pass_ == 1 ? color(x + 1, y) : color(x, y + 1);
-  }
+  const auto compare = [&c](std::size_t first, std::size_t second) {
+    if (!c.ring[first].finished || !c.ring[second].finished) return false;
+    c.pairs.color[c.pairs.count++] = {c.ring[first].color, c.ring[second].color};
+    return true;
+  };
+  const bool complete = (!pass_.compares_rows() || compare(3, 4)) && (!pass_.compares_columns() || compare(1, 6));
+  if (!complete) c.pairs = {};
   return c;
 }
 
@@ -90,10 +81,11 @@ Activity CandidatePixelExtractor::tick(Cycle now) {
     moved = true;
   }
   if (!active_ && command_->can_pop()) {
-    pass_ = command_->front().pass;
+    number_ = command_->front().pass;
     command_->pop();
     const FrameDescriptor& frame = registers_.descriptor;
-    walk_ = walk(pass_, frame.width, frame.height, config_.tile);
+    pass_ = plan_.pass(number_);
+    walk_ = plan_.walk(number_, frame.width, frame.height, config_.tile);
     // The pass before has written the frame buffer: what the cache holds of it is old.
     pixel_cache_.invalidate();
     active_ = true;
@@ -145,7 +137,7 @@ void CandidatePixelExtractor::report(Statistics& out) const {
 }
 
 std::string CandidatePixelExtractor::describe() const {
-  return "pass " + std::to_string(pass_) + ", " + std::to_string(open_ - first_) + " spans open, " +
+  return "pass " + std::to_string(number_) + ", " + std::to_string(open_ - first_) + " spans open, " +
          std::to_string(candidates_) + " candidates handed on";
 }
 

@@ -1,10 +1,11 @@
-// Finds the candidate pixels of a pass and fetches what is decided on: the pair's colours and the neighbours' hit
-// classes (patent, candidate-pixel extraction module 531; C11).
+// Finds the candidate pixels of a pass and fetches what is decided on: colours and hit classes of the neighbours
+// (patent, candidate-pixel extraction module 531; C11).
 //
 // In:  a pass command; lines of the frame buffer and of the hit-class map, through the pixel cache.
 // Out: candidates, to the collision counter, in tile order.
 // Works on spans (one row of one tile): up to four spans have their lines fetched, one request a cycle, while the
-// oldest hands on one candidate a cycle.
+// oldest hands on one candidate a cycle.  A span needs the rows in which earlier passes have finished neighbours: of a
+// horizontal pass its own, of a vertical one those above and below, of a centre all three.
 // Stalls: stall_mem when the oldest span's lines are awaited, stall_out when the collision counter takes no more.
 #pragma once
 
@@ -14,7 +15,7 @@
 #include "hw/frame_registers.h"
 #include "hw/memory/cache.h"
 #include "hw/memory/image.h"
-#include "hw/selective/tile_walk.h"
+#include "hw/selective/pass_plan.h"
 #include "hw/selective/tokens.h"
 
 namespace artu::hw {
@@ -23,7 +24,12 @@ class CandidatePixelExtractor : public Block {
  public:
   CandidatePixelExtractor(sc_core::sc_module_name name, ClockDomain& domain, const SelectiveConfig& config,
                           const FrameRegisters& registers, const MemoryImage& image, Cache& pixel_cache)
-      : Block(name, domain), config_(config), registers_(registers), image_(image), pixel_cache_(pixel_cache) {}
+      : Block(name, domain),
+        config_(config),
+        plan_(config),
+        registers_(registers),
+        image_(image),
+        pixel_cache_(pixel_cache) {}
   void bind(Fifo<PassCommand>& command, Fifo<Candidate>& out, MemoryLink& memory) {
     command_ = &command;
     out_ = &out;
@@ -33,8 +39,6 @@ class CandidatePixelExtractor : public Block {
   void reset() override;
   void report(Statistics& out) const override;
   std::string describe() const override;
-
-  static TileWalk walk(std::uint32_t pass, std::uint32_t width, std::uint32_t height, std::uint32_t tile);
 
  private:
   struct Window {
@@ -48,10 +52,10 @@ class CandidatePixelExtractor : public Block {
   void open_window();
   void want_row(Window& window, std::uint32_t y);
   Candidate candidate(std::uint32_t x, std::uint32_t y) const;
-  HitClass counted_class(std::int64_t x, std::int64_t y) const;
-  Rgb color(std::uint32_t x, std::uint32_t y) const;
+  Neighbour neighbour(std::int64_t x, std::int64_t y) const;
 
   const SelectiveConfig config_;
+  const PassPlan plan_;
   const FrameRegisters& registers_;
   const MemoryImage& image_;
   Cache& pixel_cache_;
@@ -59,7 +63,8 @@ class CandidatePixelExtractor : public Block {
   Fifo<Candidate>* out_ = nullptr;
   MemoryLink* memory_ = nullptr;
   bool active_ = false;
-  std::uint8_t pass_ = 0;
+  std::uint8_t number_ = 0;
+  Pass pass_{};
   TileWalk walk_;
   std::array<Window, windows> window_;
   std::size_t first_ = 0, open_ = 0;  // ring of windows; counts only go up

@@ -7,7 +7,7 @@ Activity CollisionCounter::tick(Cycle now) {
   if (!out_->can_push()) return {State::stall_out};
   Candidate candidate = in_->front();
   in_->pop();
-  candidate.counts = count_hits(candidate.neighbours);
+  candidate.counts = count_hits(candidate.ring);
   static_ += candidate.counts.n_static;
   dynamic_ += candidate.counts.n_dynamic;
   out_->push(candidate);

@@ -16,10 +16,11 @@ void RenderExecutor::record(const Candidate& candidate, int difference, Decision
 Activity RenderExecutor::tick(Cycle now) {
   if (!in_->can_pop()) return {State::stall_in};
   const Candidate& candidate = in_->front();
-  const int difference = candidate.pair ? color_difference(candidate.a, candidate.b) : -1;
-  if (candidate.pair && difference <= candidate.threshold) {
+  const int difference = color_difference(metric_, candidate.pairs);
+  // The sums of a centre's two pairs are compared instead of their means.
+  if (candidate.pairs.count != 0 && difference <= candidate.pairs.count * candidate.threshold) {
     if (!interpolated_->can_push()) return {State::stall_out};
-    const Rgb mean = interpolate(candidate.a, candidate.b);
+    const Rgb mean = interpolate(candidate.pairs);
     interpolated_->push(
         {candidate.x, candidate.y, static_cast<std::uint8_t>(mean.r ^ fault_), mean.g, mean.b, HitClass::none});
     ++interpolated_count_;
@@ -30,6 +31,7 @@ Activity RenderExecutor::tick(Cycle now) {
     ++traced_count_;
     record(candidate, difference, Decision::traced);
   }
+  differences_ += candidate.kind == PassKind::centre ? 2 : 1;
   in_->pop();
   return {State::busy, now + 1};
 }
@@ -37,6 +39,7 @@ Activity RenderExecutor::tick(Cycle now) {
 void RenderExecutor::report(Statistics& out) const {
   out.push_back({path(), "interpolated", interpolated_count_, "pixels", "candidates interpolated"});
   out.push_back({path(), "traced", traced_count_, "pixels", "candidates ray traced"});
+  out.push_back({path(), "differences", differences_, "", "colour differences taken, of a centre two"});
 }
 
 }  // namespace artu::hw

@@ -14,8 +14,8 @@ namespace artu::hw {
 
 class RenderExecutor : public Block {
  public:
-  RenderExecutor(sc_core::sc_module_name name, ClockDomain& domain, const FrameRegisters& registers)
-      : Block(name, domain), registers_(registers) {}
+  RenderExecutor(sc_core::sc_module_name name, ClockDomain& domain, Metric metric, const FrameRegisters& registers)
+      : Block(name, domain), metric_(metric), registers_(registers) {}
   void bind(Fifo<Candidate>& in, Fifo<PixelToken>& interpolated, Fifo<PixelJob>& traced) {
     in_ = &in;
     interpolated_ = &interpolated;
@@ -25,7 +25,7 @@ class RenderExecutor : public Block {
   /// Fault injection: bits that every interpolated pixel's red code is xored with.
   void inject(std::uint8_t bits) { fault_ = bits; }
 
-  void reset() override { interpolated_count_ = traced_count_ = 0; }
+  void reset() override { interpolated_count_ = traced_count_ = differences_ = 0; }
   void report(Statistics& out) const override;
   std::uint64_t interpolated() const { return interpolated_count_; }
   std::uint64_t traced() const { return traced_count_; }
@@ -34,13 +34,14 @@ class RenderExecutor : public Block {
   Activity tick(Cycle now) override;
   void record(const Candidate& candidate, int difference, Decision decision);
 
+  const Metric metric_;
   const FrameRegisters& registers_;
   Fifo<Candidate>* in_ = nullptr;
   Fifo<PixelToken>* interpolated_ = nullptr;
   Fifo<PixelJob>* traced_ = nullptr;
   PixelRecords* records_ = nullptr;
   std::uint8_t fault_ = 0;
-  std::uint64_t interpolated_count_ = 0, traced_count_ = 0;
+  std::uint64_t interpolated_count_ = 0, traced_count_ = 0, differences_ = 0;
 };
 
 }  // namespace artu::hw

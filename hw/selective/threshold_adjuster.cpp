@@ -7,7 +7,7 @@ Activity ThresholdAdjuster::tick(Cycle now) {
   if (!out_->can_push()) return {State::stall_out};
   Candidate candidate = in_->front();
   in_->pop();
-  candidate.threshold = static_cast<std::uint8_t>(adjusted_threshold(config_, candidate.counts) ^ fault_);
+  candidate.threshold = static_cast<std::uint8_t>(policy_.threshold(candidate, config_) ^ fault_);
   lowered_ += candidate.threshold < config_.reference;
   raised_ += candidate.threshold > config_.reference;
   out_->push(candidate);

@@ -7,18 +7,14 @@ namespace artu::hw {
 
 /// From the control unit: a pass to be worked through.
 struct PassCommand {
-  std::uint8_t pass = 0;    // 0 first rendering, 1 horizontal, 2 vertical
+  std::uint8_t pass = 0;    // 0 first rendering, then the selective passes (hw/selective/pass_plan.h)
   std::uint8_t stride = 1;  // pass 0: distance of the sampling pixels, 1 = every pixel
 };
 
-/// A candidate pixel on its way; 32 bits position, 16 neighbours, 48 pair, then 8 counts, then 8 threshold.
-struct Candidate {
-  std::uint16_t x = 0, y = 0;
+/// A candidate pixel on its way: 32 bits position, 6 pass, 8 x 27 ring (the pairs are four of its colours), then 8
+/// counts, then 8 threshold.
+struct Candidate : Evidence {
   std::uint8_t pass = 0;
-  bool pair = false;  // both pixels of the pair are inside the image
-  Rgb a, b;           // their colours
-  std::array<HitClass, 8> neighbours{};
-  HitCounts counts;
   std::uint8_t threshold = 0;
 };
 

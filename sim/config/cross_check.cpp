@@ -39,7 +39,7 @@ class CacheCheck : public PathVisitor {
   }
   void real(const char*, float&, hw::RealRange, const char*, const char*) override {}
   void flag(const char*, bool&, const char*) override {}
-  void table(const char*, std::array<std::uint32_t, 8>&, hw::IntegerRange, const char*, const char*) override {}
+  void table(const char*, hw::TableValues, hw::IntegerRange, const char*, const char*) override {}
   void choice(const char*, unsigned&, const std::vector<const char*>&, const char*) override {}
 
  private:
@@ -47,15 +47,28 @@ class CacheCheck : public PathVisitor {
   const Places& places_;
 };
 
-}  // namespace
-
-void cross_check(const hw::UnitConfig& unit, const Places& places) {
-  const hw::SelectiveConfig& selective = unit.selective;
+void check_selective(const hw::SelectiveConfig& selective, const Places& places) {
   if (selective.minimum > selective.maximum) {
     throw InputError(place_of(places, {"selective.minimum", "selective.maximum"}),
                      fmt::format("selective.minimum = {} is above selective.maximum = {}; at most {} would be right",
                                  selective.minimum, selective.maximum, selective.maximum));
   }
+  if (selective.count == hw::Count::merged && selective.compare == hw::Compare::dynamic_vs_static) {
+    throw InputError(place_of(places, {"selective.count", "selective.compare"}),
+                     "selective.count = merged does not go with selective.compare = dynamic-vs-static, which needs the "
+                     "two counts apart; count = per-class or compare = reference-count would be right");
+  }
+  if (selective.stride > selective.tile) {
+    throw InputError(place_of(places, {"selective.stride", "selective.tile"}),
+                     fmt::format("selective.stride = {} is above selective.tile = {}; at most {} would be right",
+                                 selective.stride, selective.tile, selective.tile));
+  }
+}
+
+}  // namespace
+
+void cross_check(const hw::UnitConfig& unit, const Places& places) {
+  check_selective(unit.selective, places);
   const hw::DramConfig& dram = unit.memory.dram;
   const auto below = [&](const char* low, std::uint32_t a, const char* high, std::uint32_t b, bool equal) {
     if (a < b || (equal && a == b)) return;

@@ -27,9 +27,9 @@ class Dumper : public PathVisitor {
   void flag(const char* name, bool& value, const char* text) override {
     line(name, flag_text(value), "", "true, false", text);
   }
-  void table(const char* name, std::array<std::uint32_t, 8>& value, hw::IntegerRange range, const char* unit,
+  void table(const char* name, hw::TableValues values, hw::IntegerRange range, const char* unit,
              const char* text) override {
-    line(name, table_text(value), unit, "8 of " + range_text(range), text);
+    line(name, table_text(values), unit, fmt::format("{} of {}", values.size, range_text(range)), text);
   }
   void choice(const char* name, unsigned& value, const std::vector<const char*>& names, const char* text) override {
     line(name, choice_text(names.at(value)), "", range_text(names), text);

@@ -23,9 +23,8 @@ class Collector : public hw::ParameterVisitor {
   }
   void real(const char* name, float& value, hw::RealRange, const char*, const char*) override { here(name) = value; }
   void flag(const char* name, bool& value, const char*) override { here(name) = value; }
-  void table(const char* name, std::array<std::uint32_t, 8>& value, hw::IntegerRange, const char*,
-             const char*) override {
-    here(name) = value;
+  void table(const char* name, hw::TableValues values, hw::IntegerRange, const char*, const char*) override {
+    here(name) = std::vector<std::uint32_t>(values.begin(), values.end());
   }
   void choice(const char* name, unsigned& value, const std::vector<const char*>& names, const char*) override {
     here(name) = names.at(value);

@@ -26,8 +26,6 @@ std::string flag_text(bool value) { return value ? "true" : "false"; }
 
 std::string choice_text(const char* name) { return fmt::format("\"{}\"", name); }
 
-std::string table_text(const std::array<std::uint32_t, 8>& value) {
-  return fmt::format("[{}]", fmt::join(value, ", "));
-}
+std::string table_text(hw::TableValues values) { return fmt::format("[{}]", fmt::join(values, ", ")); }
 
 }  // namespace artu::sim

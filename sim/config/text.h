@@ -1,7 +1,6 @@
 // How values and ranges are written, in files, lists and messages alike.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -19,6 +18,6 @@ std::string integer_text(std::uint32_t value);
 std::string real_text(float value);
 std::string flag_text(bool value);
 std::string choice_text(const char* name);
-std::string table_text(const std::array<std::uint32_t, 8>& value);
+std::string table_text(hw::TableValues values);
 
 }  // namespace artu::sim

@@ -136,18 +136,19 @@ void TomlAssigner::flag(const char* name, bool& value, const char* text) {
   value = node->as_boolean()->get();
 }
 
-void TomlAssigner::table(const char* name, std::array<std::uint32_t, 8>& value, hw::IntegerRange range,
-                         const char* unit, const char* text) {
+void TomlAssigner::table(const char* name, hw::TableValues values, hw::IntegerRange range, const char* unit,
+                         const char* text) {
   const toml::node* node = find(name);
   if (!node) return;
   const toml::array* array = node->as_array();
-  if (!array || array->size() != value.size()) {
-    throw InputError(place_of_(*node),
-                     fmt::format("{} is {}; an array of 8 integers would be right", path(name),
-                                 array ? fmt::format("an array of {}", array->size()) : value_text(*node)));
+  if (!array || array->size() != values.size) {
+    throw InputError(
+        place_of_(*node),
+        fmt::format("{} is {}; an array of {} integers would be right", path(name),
+                    array ? fmt::format("an array of {}", array->size()) : value_text(*node), values.size));
   }
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    value[i] = to_integer(*array->get(i), fmt::format("{}[{}]", path(name), i), range, unit);
+  for (std::size_t i = 0; i < values.size; ++i) {
+    values.first[i] = to_integer(*array->get(i), fmt::format("{}[{}]", path(name), i), range, unit);
   }
 }
 

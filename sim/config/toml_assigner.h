@@ -26,7 +26,7 @@ class TomlAssigner : public PathVisitor {
                const char* text) override;
   void real(const char* name, float& value, hw::RealRange range, const char* unit, const char* text) override;
   void flag(const char* name, bool& value, const char* text) override;
-  void table(const char* name, std::array<std::uint32_t, 8>& value, hw::IntegerRange range, const char* unit,
+  void table(const char* name, hw::TableValues values, hw::IntegerRange range, const char* unit,
              const char* text) override;
   void choice(const char* name, unsigned& value, const std::vector<const char*>& names, const char* text) override;
 

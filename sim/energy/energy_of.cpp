@@ -6,6 +6,7 @@
 #include "hw/datapath/shading.h"
 #include "hw/datapath/triangle.h"
 #include "hw/fabric/memory_port.h"
+#include "hw/selective/policy.h"
 #include "sim/energy/energy.h"
 #include "sim/energy/prices.h"
 #include "sim/report/counters.h"
@@ -161,9 +162,10 @@ class Model {
   void selective() {
     const std::uint64_t candidates = count("candidate_pixel_extractor", "candidates");
     integers("collision_counter", candidates * integer_op::count_hits);
-    integers("threshold_adjuster", candidates * integer_op::adjust_threshold);
-    integers("render_executor", candidates * integer_op::color_difference +
-                                    count("render_executor", "interpolated") * integer_op::interpolate);
+    integers("threshold_adjuster", candidates * hw::policy(unit_.selective.policy).operations);
+    integers("render_executor",
+             count("render_executor", "differences") * integer_op::color_difference(unit_.selective.metric) +
+                 count("render_executor", "interpolated") * integer_op::interpolate);
     const std::uint64_t pixel_bytes = 5;  // colour and class, written and read again
     registers("frame_writer", count("frame_writer", "pixels") * 2 * pixel_bytes);
   }

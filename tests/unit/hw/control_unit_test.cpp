@@ -40,7 +40,9 @@ constexpr Cycle descriptor_lines = sizeof(FrameDescriptor) / 64;
 
 struct Control {
   Control(std::uint32_t width, std::uint32_t height, bool selective = true)
-      : control(bench.block<ControlUnit>("control", config(selective), ShadingConfig{}, registers, image)),
+      : Control(width, height, config(selective)) {}
+  Control(std::uint32_t width, std::uint32_t height, const SelectiveConfig& selective)
+      : control(bench.block<ControlUnit>("control", selective, ShadingConfig{}, registers, image)),
         memory(bench.block<ScriptedMemory>("memory", link, 1, memory_latency)),
         builder(bench.block<Partner<BuildToken>>("builder", build, built, build_delay)),
         writer(bench.block<Partner<PassSize>>("writer", pass, written, pass_delay)),
@@ -150,6 +152,32 @@ TEST(ControlUnit, PassesWithoutPixelsAreSkipped) {
   row.run();
   EXPECT_EQ(row.passes(), (std::vector<std::uint64_t>{2, 2}));
   EXPECT_EQ(row.extract_sink.tokens[0].pass, 1);
+}
+
+SelectiveConfig with(std::uint32_t stride, Passes passes) {
+  SelectiveConfig config;
+  config.stride = stride;
+  config.passes = passes;
+  return config;
+}
+
+TEST(ControlUnit, LevelsFollowEachOther) {
+  Control c(9, 5, with(4, Passes::horizontal_vertical));
+  EXPECT_EQ(c.run()[3], 4 * (1 + pass_delay));
+  EXPECT_EQ(c.first_sink.tokens[0].stride, 4);
+  EXPECT_EQ(c.passes(), (std::vector<std::uint64_t>{3 * 2, 2 * 2, 5 * 1, 4 * 3, 9 * 2}));
+  Control average(9, 5, with(4, Passes::average));
+  average.run();
+  EXPECT_EQ(average.passes(), (std::vector<std::uint64_t>{3 * 2, 2 * 2, 3 * 1, 2 * 1, 4 * 3, 5 * 2, 4 * 2}));
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(average.extract_sink.tokens[i].pass, i + 1);
+}
+
+TEST(ControlUnit, PassesWithoutPixelsAreSkippedOfEveryLevel) {
+  Control c(3, 1, with(8, Passes::average));  // 0; nothing at 4; 2; 1
+  c.run();
+  EXPECT_EQ(c.passes(), (std::vector<std::uint64_t>{1, 1, 1}));
+  EXPECT_EQ(c.extract_sink.tokens[0].pass, 4);
+  EXPECT_EQ(c.extract_sink.tokens[1].pass, 7);
 }
 
 TEST(ControlUnit, WithoutSelectiveRenderingThereIsOnePass) {

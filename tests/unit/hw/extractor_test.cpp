@@ -10,8 +10,9 @@ namespace {
 constexpr Cycle memory_latency = 20;
 
 struct Extractor {
-  Extractor(std::uint32_t width, std::uint32_t height)
-      : cache(bench.block<Cache>("cache", config.pixel_cache)),
+  Extractor(std::uint32_t width, std::uint32_t height, const SelectiveConfig& selective = {})
+      : config(selective),
+        cache(bench.block<Cache>("cache", config.pixel_cache)),
         memory(bench.block<ScriptedMemory>("memory", below, 1, memory_latency)),
         extractor(bench.block<CandidatePixelExtractor>("extractor", config, registers, image, cache)),
         command(bench.block<Source<PassCommand>>("command", commands)),
@@ -47,6 +48,8 @@ struct Extractor {
     bench.run(20000);
     return sink.tokens;
   }
+  /// Lines asked for, wherever they came from.
+  std::uint64_t extractor_requests() const { return cache.hits() + cache.misses(); }
   const Candidate& at(std::uint32_t x, std::uint32_t y) const {
     for (const Candidate& c : sink.tokens) {
       if (c.x == x && c.y == y) return c;
@@ -74,7 +77,7 @@ struct Extractor {
 /// Which of the 8 neighbours, row by row, counts; all are static in the map.
 std::string counted(const Candidate& c) {
   std::string text;
-  for (HitClass hit_class : c.neighbours) text += hit_class == HitClass::static_geometry ? '#' : '.';
+  for (const Neighbour& n : c.ring) text += n.hit_class == HitClass::static_geometry ? '#' : '.';
   return text;
 }
 
@@ -82,12 +85,12 @@ TEST(Extractor, HorizontalCandidatesLieBetweenSamplingPixels) {
   Extractor e(9, 4);
   EXPECT_EQ(e.run(1).size(), 4u * 2);
   const Candidate& c = e.at(3, 2);
-  EXPECT_TRUE(c.pair);
+  ASSERT_EQ(c.pairs.count, 1);
   EXPECT_EQ(c.pass, 1);
-  EXPECT_EQ(c.a.r, 2);
-  EXPECT_EQ(c.b.r, 4);
-  EXPECT_EQ(c.a.g, 2);
-  EXPECT_EQ(c.a.b, 5);
+  EXPECT_EQ(c.pairs.color[0][0].r, 2);
+  EXPECT_EQ(c.pairs.color[0][1].r, 4);
+  EXPECT_EQ(c.pairs.color[0][0].g, 2);
+  EXPECT_EQ(c.pairs.color[0][0].b, 5);
   // Row by row: only the two sampling pixels beside it are of an earlier pass.
   EXPECT_EQ(counted(c), "...##...");
 }
@@ -96,10 +99,10 @@ TEST(Extractor, VerticalCandidatesSeeBothEarlierPasses) {
   Extractor e(9, 5);
   EXPECT_EQ(e.run(2).size(), 9u * 2);
   const Candidate& c = e.at(4, 3);
-  EXPECT_TRUE(c.pair);
-  EXPECT_EQ(c.a.g, 2);
-  EXPECT_EQ(c.b.g, 4);
-  EXPECT_EQ(c.a.r, 4);
+  ASSERT_EQ(c.pairs.count, 1);
+  EXPECT_EQ(c.pairs.color[0][0].g, 2);
+  EXPECT_EQ(c.pairs.color[0][1].g, 4);
+  EXPECT_EQ(c.pairs.color[0][0].r, 4);
   EXPECT_EQ(counted(c), "###..###");
 }
 
@@ -113,12 +116,12 @@ TEST(Extractor, NeighboursOutsideTheImageDoNotCount) {
 TEST(Extractor, AtTheRightAndLowerBorderThePairIsIncomplete) {
   Extractor right(8, 3), lower(9, 4);
   right.run(1);
-  EXPECT_FALSE(right.at(7, 2).pair);
-  EXPECT_TRUE(right.at(5, 2).pair);
+  EXPECT_EQ(right.at(7, 2).pairs.count, 0);
+  EXPECT_EQ(right.at(5, 2).pairs.count, 1);
   EXPECT_EQ(counted(right.at(7, 2)), "...#....");
   lower.run(2);
-  EXPECT_FALSE(lower.at(4, 3).pair);
-  EXPECT_TRUE(lower.at(4, 1).pair);
+  EXPECT_EQ(lower.at(4, 3).pairs.count, 0);
+  EXPECT_EQ(lower.at(4, 1).pairs.count, 1);
   EXPECT_EQ(counted(lower.at(4, 3)), "###.....");
 }
 
@@ -128,17 +131,79 @@ TEST(Extractor, ClassesAreHandedOnAsTheyAre) {
   e.set_class(4, 2, HitClass::miss);
   e.set_class(5, 2, HitClass::dynamic_geometry);
   e.run(2);
-  const auto& n = e.at(4, 1).neighbours;
-  EXPECT_EQ(n[5], HitClass::none);
-  EXPECT_EQ(n[6], HitClass::miss);
-  EXPECT_EQ(n[7], HitClass::dynamic_geometry);
+  const auto& n = e.at(4, 1).ring;
+  EXPECT_EQ(n[5].hit_class, HitClass::none);
+  EXPECT_EQ(n[6].hit_class, HitClass::miss);
+  EXPECT_EQ(n[7].hit_class, HitClass::dynamic_geometry);
+}
+
+SelectiveConfig with(std::uint32_t stride, Passes passes) {
+  SelectiveConfig config;
+  config.stride = stride;
+  config.passes = passes;
+  return config;
+}
+
+TEST(Extractor, ACentreHasTwoPairsAndAllNeighbours) {
+  Extractor e(9, 9, with(2, Passes::average));
+  EXPECT_EQ(e.run(3).size(), 4u * 4);
+  const Candidate& c = e.at(3, 5);
+  EXPECT_EQ(c.kind, PassKind::centre);
+  ASSERT_EQ(c.pairs.count, 2);
+  EXPECT_EQ(c.pairs.color[0][0].r, 2);
+  EXPECT_EQ(c.pairs.color[0][1].r, 4);
+  EXPECT_EQ(c.pairs.color[1][0].g, 4);
+  EXPECT_EQ(c.pairs.color[1][1].g, 6);
+  EXPECT_EQ(counted(c), "########");
+}
+
+TEST(Extractor, ACentreOnTheBorderHasNoPairAtAll) {
+  Extractor e(8, 7, with(2, Passes::average));
+  e.run(3);
+  EXPECT_EQ(e.at(7, 3).pairs.count, 0) << "nothing on the right, though above and below";
+  EXPECT_EQ(counted(e.at(7, 3)), "##.#.##.");
+  EXPECT_EQ(e.at(5, 3).pairs.count, 2);
+}
+
+TEST(Extractor, WithAStrideNeighboursLieHalfOfItAway) {
+  Extractor e(33, 17, with(8, Passes::horizontal_vertical));
+  e.run(2);  // vertical, h = 4
+  const Candidate& c = e.at(12, 4);
+  EXPECT_EQ(c.h, 4);
+  ASSERT_EQ(c.pairs.count, 1);
+  EXPECT_EQ(c.pairs.color[0][0].g, 0);
+  EXPECT_EQ(c.pairs.color[0][1].g, 8);
+  EXPECT_EQ(counted(c), "###..###");
+  for (std::size_t i : {0u, 5u}) EXPECT_EQ(c.ring[i].color.r, 8);
+  for (std::size_t i : {2u, 7u}) EXPECT_EQ(c.ring[i].color.r, 16);
+  EXPECT_EQ(c.ring[7].color.g, 8);
+  EXPECT_FALSE(c.ring[3].finished);
+  EXPECT_EQ(counted(e.at(32, 12)), "##...##.");
+}
+
+TEST(Extractor, ReadsTheRowsThatItsPassNeedsAndNoOthers) {
+  // 48 x 48 pixels are 3 x 3 tiles; a row of a span needs one colour line of its own, and those of the tiles beside it
+  // into which it looks, and one class line.
+  const auto lines = [](std::uint32_t stride, Passes passes, std::uint8_t pass) {
+    Extractor e(48, 48, with(stride, passes));
+    e.run(pass);
+    return e.extractor_requests();
+  };
+  // Horizontal: the right neighbour's first column, but of the last tile.
+  EXPECT_EQ(lines(2, Passes::horizontal_vertical, 1), 24u * (3 + 3 + 2));
+  EXPECT_EQ(lines(8, Passes::horizontal_vertical, 1), 6u * (3 + 3 + 2));
+  // Vertical: the diagonals lie in both tiles beside it, in two rows; the last row has nothing below.
+  EXPECT_EQ(lines(2, Passes::horizontal_vertical, 2), 47u * (3 + 4 + 3));
+  // With candidates in every second column alone it looks to the left, and the last one of a tile not to the right.
+  EXPECT_EQ(lines(2, Passes::average, 2), 47u * (2 + 3 + 3));
+  EXPECT_EQ(lines(2, Passes::average, 3), (2u * 23 + 1 + 24) * (3 + 3 + 2)) << "two rows and its own";
 }
 
 TEST(Extractor, VisitsEachCandidateOnceAndInTileOrder) {
   for (std::uint8_t pass : {1, 2}) {
     Extractor e(37, 21);
     const auto candidates = e.run(pass);
-    TileWalk walk = CandidatePixelExtractor::walk(pass, 37, 21, e.config.tile);
+    TileWalk walk = PassPlan(e.config).walk(pass, 37, 21, e.config.tile);
     std::size_t i = 0;
     for (; !walk.done(); walk.next()) {
       for (std::uint32_t x = walk.span().begin; x < walk.span().end; x += walk.dx(), ++i) {

@@ -13,9 +13,9 @@ namespace {
 template <class Stage>
 struct StageBench {
   template <class... Args>
-  explicit StageBench(Args&&... args)
+  explicit StageBench(std::uint32_t latency, Args&&... args)
       : in(bench.fifo<Candidate>("in", 4)),
-        out(bench.fifo<Candidate>("out", 2 + Stage::latency, Stage::latency)),
+        out(bench.fifo<Candidate>("out", 2 + latency, latency)),
         stage(bench.block<Stage>("stage", std::forward<Args>(args)...)),
         source(bench.block<Source<Candidate>>("source", in)),
         sink(bench.block<Sink<Candidate>>("sink", out)) {
@@ -33,21 +33,23 @@ struct StageBench {
 Candidate candidate(std::uint16_t x) {
   Candidate c;
   c.x = x;
-  c.neighbours = {HitClass::static_geometry, HitClass::dynamic_geometry, HitClass::dynamic_geometry, HitClass::miss};
+  c.ring[0].hit_class = HitClass::static_geometry;
+  c.ring[1].hit_class = c.ring[2].hit_class = HitClass::dynamic_geometry;
+  c.ring[3].hit_class = HitClass::miss;
   c.counts = {1, 2};
   return c;
 }
 
 template <class Stage, class... Args>
-void expect_latency_two_and_one_a_cycle(Args&&... args) {
-  StageBench<Stage> b(args...);
+void expect_latency_and_one_a_cycle(std::uint32_t latency, Args&&... args) {
+  StageBench<Stage> b(latency, args...);
   for (std::uint16_t i = 0; i < 50; ++i) b.source.push_at(9, candidate(i));
   b.bench.run(200);
-  // Arrival in 10, two cycles of latency.
-  EXPECT_EQ(b.sink.cycles, every(12, 50));
+  // Arrival in 10, then the latency.
+  EXPECT_EQ(b.sink.cycles, every(10 + latency, 50));
   for (std::uint16_t i = 0; i < 50; ++i) EXPECT_EQ(b.sink.tokens[i].x, i);
 
-  StageBench<Stage> blocked(args...);
+  StageBench<Stage> blocked(latency, args...);
   blocked.sink.open = [](Cycle now) { return now >= 100; };
   for (std::uint16_t i = 0; i < 50; ++i) blocked.source.push_at(9, candidate(i));
   blocked.bench.run(400);
@@ -55,12 +57,10 @@ void expect_latency_two_and_one_a_cycle(Args&&... args) {
   EXPECT_GE(blocked.stage.cycles_in(State::stall_out), 80u);
 }
 
-TEST(CollisionCounter, HasLatencyTwoAndTakesOneCandidateACycle) {
-  expect_latency_two_and_one_a_cycle<CollisionCounter>();
-}
+TEST(CollisionCounter, HasLatencyTwoAndTakesOneCandidateACycle) { expect_latency_and_one_a_cycle<CollisionCounter>(2); }
 
 TEST(CollisionCounter, FillsInTheCounts) {
-  StageBench<CollisionCounter> b;
+  StageBench<CollisionCounter> b(CollisionCounter::latency);
   Candidate c = candidate(1);
   c.counts = {};
   b.source.push_at(1, c);
@@ -69,12 +69,16 @@ TEST(CollisionCounter, FillsInTheCounts) {
   EXPECT_EQ(b.sink.tokens[0].counts.n_dynamic, 2);
 }
 
-TEST(ThresholdAdjuster, HasLatencyTwoAndTakesOneCandidateACycle) {
-  expect_latency_two_and_one_a_cycle<ThresholdAdjuster>(SelectiveConfig{});
+TEST(ThresholdAdjuster, HasThePolicysLatencyAndTakesOneCandidateACycle) {
+  SelectiveConfig config;
+  EXPECT_EQ(ThresholdAdjuster::latency(config), 2u) << "of attention";
+  for (; config.policy < policy_names().size(); ++config.policy) {
+    expect_latency_and_one_a_cycle<ThresholdAdjuster>(ThresholdAdjuster::latency(config), config);
+  }
 }
 
 TEST(ThresholdAdjuster, FillsInTheThreshold) {
-  StageBench<ThresholdAdjuster> b{SelectiveConfig{}};
+  StageBench<ThresholdAdjuster> b(2, SelectiveConfig{});
   b.source.push_at(1, candidate(1));  // one more dynamic hit than static ones: 16 - 2
   b.bench.run(50);
   EXPECT_EQ(b.sink.tokens[0].threshold, 14);
@@ -83,7 +87,8 @@ TEST(ThresholdAdjuster, FillsInTheThreshold) {
 }
 
 struct Executor {
-  Executor() {
+  explicit Executor(Metric metric = Metric::max_channel)
+      : executor(bench.block<RenderExecutor>("executor", metric, registers)) {
     registers.descriptor.width = 64;
     in.bind(source, executor);
     interpolated.bind(executor, pixels);
@@ -94,9 +99,8 @@ struct Executor {
   static Candidate pair(std::uint16_t x, std::uint8_t difference) {
     Candidate c;
     c.x = x;
-    c.pair = true;
-    c.a = {100, 100, 100};
-    c.b = {100, static_cast<std::uint8_t>(100 + difference), 100};
+    c.pairs.count = 1;
+    c.pairs.color[0] = {Rgb{100, 100, 100}, Rgb{100, static_cast<std::uint8_t>(100 + difference), 100}};
     c.threshold = 10;
     return c;
   }
@@ -105,7 +109,7 @@ struct Executor {
   Fifo<Candidate>& in = bench.fifo<Candidate>("in", 4);
   Fifo<PixelToken>& interpolated = bench.fifo<PixelToken>("interpolated", 4);
   Fifo<PixelJob>& traced = bench.fifo<PixelJob>("traced", 4);
-  RenderExecutor& executor = bench.block<RenderExecutor>("executor", registers);
+  RenderExecutor& executor;
   Source<Candidate>& source = bench.block<Source<Candidate>>("source", in);
   Sink<PixelToken>& pixels = bench.block<Sink<PixelToken>>("pixels", interpolated);
   Sink<PixelJob>& jobs = bench.block<Sink<PixelJob>>("jobs", traced);
@@ -122,7 +126,7 @@ TEST(RenderExecutor, HasLatencyOneAndTakesOneCandidateACycle) {
 TEST(RenderExecutor, InterpolatesUpToTheThresholdAndTracesAboveAndAtTheBorder) {
   Executor e;
   Candidate border = Executor::pair(3, 0);
-  border.pair = false;
+  border.pairs = {};
   e.source.push_at(1, Executor::pair(1, 10)).push_at(2, Executor::pair(2, 11)).push_at(3, border);
   e.bench.run(100);
   ASSERT_EQ(e.pixels.tokens.size(), 1u);
@@ -132,6 +136,49 @@ TEST(RenderExecutor, InterpolatesUpToTheThresholdAndTracesAboveAndAtTheBorder) {
   ASSERT_EQ(e.jobs.tokens.size(), 2u);
   EXPECT_EQ(e.jobs.tokens[0].x, 2);
   EXPECT_EQ(e.jobs.tokens[1].x, 3);
+}
+
+/// A centre whose pairs differ by these.
+Candidate centre(std::uint16_t x, std::uint8_t horizontal, std::uint8_t vertical) {
+  Candidate c = Executor::pair(x, horizontal);
+  c.kind = PassKind::centre;
+  c.pairs.count = 2;
+  c.pairs.color[1] = {Rgb{100, 100, 100}, Rgb{100, 100, static_cast<std::uint8_t>(100 + vertical)}};
+  return c;
+}
+
+TEST(RenderExecutor, ACentreIsInterpolatedUpToTwiceTheThreshold) {
+  Executor e;
+  Candidate border = centre(4, 0, 0);
+  border.pairs = {};
+  e.source.push_at(1, centre(1, 20, 0)).push_at(2, centre(2, 0, 21)).push_at(3, centre(3, 9, 11)).push_at(4, border);
+  e.bench.run(100);
+  ASSERT_EQ(e.pixels.tokens.size(), 2u);
+  EXPECT_EQ(e.pixels.tokens[0].x, 1);
+  EXPECT_EQ(e.pixels.tokens[0].g, 105);  // (100 + 120 + 100 + 100 + 2) / 4
+  EXPECT_EQ(e.pixels.tokens[1].x, 3);
+  EXPECT_EQ(e.pixels.tokens[1].b, 103);  // (100 + 100 + 100 + 111 + 2) / 4
+  ASSERT_EQ(e.jobs.tokens.size(), 2u);
+  EXPECT_EQ(e.jobs.tokens[0].x, 2);
+  EXPECT_EQ(e.jobs.tokens[1].x, 4);
+  EXPECT_EQ(counter(e.executor, "differences"), 8u);
+}
+
+TEST(RenderExecutor, ComparesByTheMetric) {
+  const auto traced = [](Metric metric, Rgb b) {
+    Executor e(metric);
+    Candidate c = Executor::pair(1, 0);
+    c.pairs.color[0][1] = b;
+    e.source.push_at(1, c);
+    e.bench.run(100);
+    return e.jobs.tokens.size();
+  };
+  const Rgb everywhere{104, 104, 104}, red{120, 100, 100}, green{100, 118, 100};
+  EXPECT_EQ(traced(Metric::max_channel, everywhere), 0u);
+  EXPECT_EQ(traced(Metric::sum, everywhere), 1u);
+  EXPECT_EQ(traced(Metric::max_channel, red), 1u);
+  EXPECT_EQ(traced(Metric::luma, red), 0u);
+  EXPECT_EQ(traced(Metric::luma, green), 1u);
 }
 
 TEST(RenderExecutor, WaitsOnlyForTheOutputThatTheDecisionNeeds) {

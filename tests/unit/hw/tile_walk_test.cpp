@@ -6,8 +6,6 @@
 #include <set>
 #include <vector>
 
-#include "hw/selective/candidate_pixel_extractor.h"
-
 namespace artu::hw::test {
 namespace {
 
@@ -29,7 +27,7 @@ std::vector<Pixel> visited(TileWalk walk) {
 struct Grid {
   std::uint32_t x0, dx, y0, dy;
 };
-const Grid grids[] = {{0, 1, 0, 1}, {0, 2, 0, 2}, {1, 2, 0, 2}, {0, 1, 1, 2}};
+const Grid grids[] = {{0, 1, 0, 1}, {0, 2, 0, 2}, {1, 2, 0, 2}, {0, 1, 1, 2}, {0, 4, 0, 4}, {2, 4, 2, 4}, {0, 2, 2, 4}};
 
 void expect_each_once(std::uint32_t width, std::uint32_t height, std::uint32_t tile) {
   for (const Grid& g : grids) {
@@ -67,29 +65,16 @@ TEST(TileWalk, VisitsEachPixelOnceInLargeImages) {
   expect_each_once(3000, 1, 4);
 }
 
-TEST(TileWalk, EverySelectivePixelIsInExactlyOnePass) {
-  for (const auto& [width, height] :
-       {std::pair<std::uint32_t, std::uint32_t>{1, 1}, {3, 5}, {16, 16}, {33, 7}, {2, 9}}) {
-    std::vector<int> count(std::size_t{width} * height);
-    for (const TileWalk& walk :
-         {TileWalk(width, height, 8, 0, 2, 0, 2), CandidatePixelExtractor::walk(1, width, height, 8),
-          CandidatePixelExtractor::walk(2, width, height, 8)}) {
-      for (const Pixel& p : visited(walk)) ++count[p.y * width + p.x];
-    }
-    EXPECT_EQ(count, std::vector<int>(std::size_t{width} * height, 1)) << width << "x" << height;
-  }
-}
-
 TEST(TileWalk, GoesTileByTileRowByRowFromLeftToRight) {
   const auto pixels = visited(TileWalk(6, 6, 4, 0, 2, 0, 2));
   const std::vector<Pixel> expected{{0, 0}, {2, 0}, {0, 2}, {2, 2}, {4, 0}, {4, 2}, {0, 4}, {2, 4}, {4, 4}};
   EXPECT_EQ(pixels, expected);
 }
 
-TEST(TileWalk, APassWithoutPixelsIsDoneAtOnce) {
-  EXPECT_TRUE(CandidatePixelExtractor::walk(1, 1, 9, 16).done());
-  EXPECT_TRUE(CandidatePixelExtractor::walk(2, 40, 1, 16).done());
-  EXPECT_EQ(CandidatePixelExtractor::walk(1, 1, 9, 16).pixels(), 0u);
+TEST(TileWalk, AWalkWithoutPixelsIsDoneAtOnce) {
+  EXPECT_TRUE(TileWalk(1, 9, 16, 1, 2, 0, 2).done());
+  EXPECT_TRUE(TileWalk(40, 1, 16, 0, 1, 1, 2).done());
+  EXPECT_EQ(TileWalk(1, 9, 16, 1, 2, 0, 2).pixels(), 0u);
 }
 
 }  // namespace

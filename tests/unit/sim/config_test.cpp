@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "hw/selective/policy.h"
 #include "sim/config/configuration.h"
 #include "sim/config/dump.h"
 #include "sim/config/parameter_list.h"
@@ -129,6 +130,32 @@ TEST_F(ConfigTest, WrongTypesAreNamedWithWhatWouldBeRight) {
   EXPECT_EQ(load_error("core = 7"), "FILE:1: core is a group of parameters, not 7; a [core] section would be right");
 }
 
+TEST_F(ConfigTest, ChoicesOfSelectiveRendering) {
+  const hw::SelectiveConfig selective =
+      load(
+          "[selective]\nstride = 4\npasses = \"average\"\ncount = \"merged\"\ncompare = \"reference-count\"\n"
+          "reference_count = 8\nmetric = \"luma\"\npolicy = \"fixed\"\npolicy_registers = [1, 2, 3, 255]\n")
+          .selective;
+  EXPECT_EQ(selective.stride, 4u);
+  EXPECT_EQ(selective.passes, hw::Passes::average);
+  EXPECT_EQ(selective.compare, hw::Compare::reference_count);
+  EXPECT_EQ(selective.reference_count, 8u);
+  EXPECT_EQ(selective.metric, hw::Metric::luma);
+  EXPECT_STREQ(hw::policy_names()[selective.policy], "fixed");
+  EXPECT_EQ(selective.policy_registers, (std::array<std::uint32_t, 4>{1, 2, 3, 255}));
+  EXPECT_EQ(load("selective.metric = \"sum\"").selective.metric, hw::Metric::sum);
+  EXPECT_EQ(load_error("selective.policy_registers = [1, 2, 3]"),
+            "FILE:1: selective.policy_registers is an array of 3; an array of 4 integers would be right");
+  EXPECT_EQ(load_error("selective.policy_registers = [1, 2, 3, 256]"),
+            "FILE:1: selective.policy_registers[3] = 256 is out of range; 0 ... 255 would be right");
+  EXPECT_EQ(
+      load_error("selective.passes = \"diagonal\""),
+      "FILE:1: selective.passes = \"diagonal\" is not a choice; one of horizontal-vertical, average would be right");
+  EXPECT_THAT(load_error("selective.policy = \"nearest\""),
+              HasSubstr("\"nearest\" is not a choice; one of attention, fixed"));
+  EXPECT_THAT(load_error("selective.reference_count = 9"), HasSubstr("0 ... 8 hits would be right"));
+}
+
 TEST_F(ConfigTest, RangesAreEnforced) {
   EXPECT_EQ(load_error("[core]\ncount = 0"), "FILE:2: core.count = 0 is out of range; 1 ... 64 would be right");
   EXPECT_THAT(load_error("core.count = -9223372036854775808"), HasSubstr("is out of range"));
@@ -141,6 +168,10 @@ TEST_F(ConfigTest, RangesAreEnforced) {
 TEST_F(ConfigTest, PowersOfTwoAreEnforced) {
   EXPECT_EQ(load_error("core.node_cache.size = 5000"),
             "FILE:1: core.node_cache.size = 5000 is not a power of two; 4096 or 8192 would be right");
+  EXPECT_EQ(load_error("selective.stride = 3"),
+            "FILE:1: selective.stride = 3 is not a power of two; 2 or 4 would be right");
+  EXPECT_EQ(load_error("selective.stride = 1"),
+            "FILE:1: selective.stride = 1 is out of range; 2 ... 8, a power of two pixels would be right");
 }
 
 TEST_F(ConfigTest, BadTomlNamesTheLine) {
@@ -157,6 +188,14 @@ TEST_F(ConfigTest, AFileThatCannotBeReadIsNamed) {
 TEST_F(ConfigTest, CrossChecksNameTheLineOfTheParameter) {
   EXPECT_EQ(load_error("[selective]\nmaximum = 10\nminimum = 20\n"),
             "FILE:3: selective.minimum = 20 is above selective.maximum = 10; at most 10 would be right");
+  EXPECT_EQ(load_error("[selective]\nstride = 8\ntile = 4\n"),
+            "FILE:2: selective.stride = 8 is above selective.tile = 4; at most 4 would be right");
+  EXPECT_EQ(
+      load_error("[selective]\npolicy = \"fixed\"\ncount = \"merged\"\n"),
+      "FILE:3: selective.count = merged does not go with selective.compare = dynamic-vs-static, which needs the two "
+      "counts apart; count = per-class or compare = reference-count would be right");
+  EXPECT_EQ(load("[selective]\ncount = \"merged\"\ncompare = \"reference-count\"\n").selective.count,
+            hw::Count::merged);
   EXPECT_EQ(load_error("[memory.l2]\nsize = \"1KiB\"\nways = 32\n"),
             "FILE:3: memory.l2.ways = 32 needs 2048 bytes in lines of 64, more than memory.l2.size = 1024; "
             "at most 16 ways would be right");
