@@ -99,6 +99,7 @@ TEST(Metric, OfTwoColours) {
   EXPECT_EQ(difference_of(Metric::sum, white, black), 765);
   EXPECT_EQ(difference_of(Metric::luma, black, white), 255);
   EXPECT_EQ(difference_of(Metric::luma, {0, 1, 0}, {0, 0, 0}), 1);  // 278 >> 8
+  EXPECT_EQ(difference_of(Metric::luma, {0, 0, 128}, black), 15);   // 14.5 + 0.5
 }
 
 TEST(Settings, ThatMakeNoSenseAreRefused) {
