@@ -5,7 +5,7 @@
 // for want of a pair.
 //
 // A policy NAME is the file ref/policies/NAME.cpp with `int NAME(const Candidate&, const Settings&)` in namespace
-// artu::ref::policies; the list of names is made from the files (ref/CMakeLists.txt).
+// artu::ref::policies; the list of names is made from the files (scripts/policies.cmake).
 #pragma once
 
 #include <array>
@@ -36,9 +36,9 @@ struct Pair {
 /// What is known of a candidate before its decision.
 struct Candidate {
   int n_static = 0, n_dynamic = 0;
-  int pairs = 1;                  // 2 of a centre
-  std::array<Pair, 2> pair;       // horizontal before vertical; unspecified colours where `difference` is -1
-  int difference = -1;            // by the metric, summed over the pairs; -1 where one is incomplete
+  int pairs = 0;                  // 1, of a centre 2; 0 where one is incomplete
+  std::array<Pair, 2> pair;       // as many of them; horizontal before vertical
+  int difference = -1;            // by the metric, summed over the pairs; -1 without one
   std::array<Neighbour, 8> ring;  // row by row: above left, above, above right, left, right, below left ...
   std::uint32_t x = 0, y = 0;
   Place place;

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 namespace artu::ref {
 namespace {
@@ -39,21 +40,23 @@ void gather_ring(const Settings& settings, const Image& image, Candidate& candid
   }
 }
 
-/// Adds the pair of two neighbours; false where one is missing.
-bool add_pair(const Settings& settings, Candidate& candidate, std::size_t a, std::size_t b) {
-  const Neighbour &first = candidate.ring[a], &second = candidate.ring[b];
-  Pair& pair = candidate.pair[static_cast<std::size_t>(candidate.pairs++)];
-  pair = {first.color, second.color};
-  candidate.difference += difference_of(settings.metric, pair.a, pair.b);
-  return first.finished && second.finished;
-}
-
 void gather_pairs(const Settings& settings, Candidate& candidate) {
-  candidate.pairs = candidate.difference = 0;
-  bool complete = true;
-  if (candidate.place.kind != PassKind::vertical) complete &= add_pair(settings, candidate, left, right);
-  if (candidate.place.kind != PassKind::horizontal) complete &= add_pair(settings, candidate, above, below);
-  if (!complete) candidate.difference = -1;
+  std::array<std::pair<std::size_t, std::size_t>, 2> places;
+  std::size_t count = 0;
+  if (candidate.place.kind != PassKind::vertical) places[count++] = {left, right};
+  if (candidate.place.kind != PassKind::horizontal) places[count++] = {above, below};
+  int difference = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Neighbour &a = candidate.ring[places[i].first], &b = candidate.ring[places[i].second];
+    if (!a.finished || !b.finished) {
+      candidate.pair = {};  // of a centre both or none
+      return;
+    }
+    candidate.pair[i] = {a.color, b.color};
+    difference += difference_of(settings.metric, a.color, b.color);
+  }
+  candidate.pairs = static_cast<int>(count);
+  candidate.difference = difference;
 }
 
 /// The mean of the pairs' colours, halves rounded up.
@@ -128,7 +131,7 @@ void decide(const Settings& settings, Policy policy, const Image& image, std::ui
   pixel.threshold = static_cast<std::int16_t>(threshold);
   pixel.difference = static_cast<std::int16_t>(candidate.difference);
   // The sum over two pairs against twice the threshold: their mean without a division.
-  const bool similar = candidate.difference >= 0 && candidate.difference <= candidate.pairs * threshold;
+  const bool similar = candidate.pairs > 0 && candidate.difference <= candidate.pairs * threshold;
   pixel.decision = similar ? Decision::interpolated : Decision::traced;
   if (similar) interpolate(candidate, pixel);
 }

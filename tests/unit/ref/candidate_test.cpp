@@ -58,6 +58,19 @@ TEST(Candidate, ACentreHasTwoPairsAndAllNeighbours) {
   EXPECT_EQ(centre.difference, 20 + 60);
 }
 
+TEST(Candidate, WithoutAPartOfAPairHasNone) {
+  std::vector<Pixel> pixels(6, Pixel());
+  for (Pixel& pixel : pixels) pixel.r = 9;
+  const Image image{3, 2, pixels};
+  Settings s;
+  s.passes = Passes::average;
+  const Candidate centre = candidate_at(s, image, 1, 1);  // left and right are there, below is not
+  EXPECT_EQ(centre.pairs, 0);
+  EXPECT_EQ(centre.difference, -1);
+  EXPECT_EQ(centre.pair[0].a.r, 0);
+  EXPECT_EQ(centre.ring[3].color.r, 9);
+}
+
 TEST(Candidate, LooksAsFarAsTheLevel) {
   std::vector<Pixel> pixels(81);
   const Image image{9, 9, pixels};
@@ -86,6 +99,7 @@ TEST(Metric, OfTwoColours) {
   EXPECT_EQ(difference_of(Metric::sum, white, black), 765);
   EXPECT_EQ(difference_of(Metric::luma, black, white), 255);
   EXPECT_EQ(difference_of(Metric::luma, {0, 1, 0}, {0, 0, 0}), 1);  // 278 >> 8
+  EXPECT_EQ(difference_of(Metric::luma, {0, 0, 128}, black), 15);   // 14.5 + 0.5
 }
 
 TEST(Settings, ThatMakeNoSenseAreRefused) {

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "ref/selective.h"
 
 namespace artu::ref {
@@ -106,8 +108,13 @@ TEST(Fixed, IsTheClampedReference) {
   EXPECT_EQ(threshold_of(s, 0, 8), 9);
 }
 
-TEST(Policies, AreThoseOfTheFolder) {
-  EXPECT_THAT(policy_names(), testing::UnorderedElementsAre("attention", "fixed"));
+TEST(Policies, AreTheFilesOfTheirFolder) {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(ARTU_SOURCE_DIR "/ref/policies")) {
+    files.push_back(entry.path().stem().string());
+  }
+  EXPECT_THAT(policy_names(), testing::UnorderedElementsAreArray(files));
+  EXPECT_THAT(files, testing::Contains(Settings().policy));
 }
 
 TEST(Policies, AnUnknownNameIsRefusedWithAllNames) {

@@ -4,9 +4,12 @@
 
 #include <functional>
 
+#include "hw/selective/policy.h"
+#include "ref/policy.h"
 #include "sim/compare/frame_compare.h"
 #include "sim/compare/golden_settings.h"
 #include "sim/compare/image_metrics.h"
+#include "traces/error.h"
 
 namespace artu::sim {
 namespace {
@@ -195,6 +198,14 @@ TEST(GoldenSettings, MapsEveryField) {
   hw::UnitConfig unit;
   unit.selective.enabled = false;
   unit.selective.adaptive = false;
+  unit.selective.stride = 8;
+  unit.selective.passes = hw::Passes::average;
+  unit.selective.count = hw::Count::merged;
+  unit.selective.compare = hw::Compare::reference_count;
+  unit.selective.reference_count = 6;
+  unit.selective.metric = hw::Metric::luma;
+  unit.selective.policy = 1;
+  unit.selective.policy_registers = {9, 8, 7, 6};
   unit.selective.magnitude = hw::Magnitude::progressive;
   unit.selective.reference = 31;
   unit.selective.minimum = 3;
@@ -206,6 +217,14 @@ TEST(GoldenSettings, MapsEveryField) {
   const ref::Settings settings = golden_settings(unit);
   EXPECT_FALSE(settings.selective);
   EXPECT_FALSE(settings.adaptive);
+  EXPECT_EQ(settings.stride, 8);
+  EXPECT_EQ(settings.passes, ref::Passes::average);
+  EXPECT_EQ(settings.count, ref::Count::merged);
+  EXPECT_EQ(settings.compare, ref::Compare::reference_count);
+  EXPECT_EQ(settings.reference_count, 6);
+  EXPECT_EQ(settings.metric, ref::Metric::luma);
+  EXPECT_EQ(settings.policy, hw::policy_names()[1]);
+  EXPECT_THAT(settings.policy_registers, ::testing::ElementsAre(9, 8, 7, 6));
   EXPECT_EQ(settings.magnitude, ref::Magnitude::progressive);
   EXPECT_EQ(settings.reference, 31);
   EXPECT_EQ(settings.minimum, 3);
@@ -220,6 +239,14 @@ TEST(GoldenSettings, TheDefaultsOfTheTwoRoomsAgree) {
   const ref::Settings mapped = golden_settings(hw::UnitConfig()), own;
   EXPECT_EQ(mapped.selective, own.selective);
   EXPECT_EQ(mapped.adaptive, own.adaptive);
+  EXPECT_EQ(mapped.stride, own.stride);
+  EXPECT_EQ(mapped.passes, own.passes);
+  EXPECT_EQ(mapped.count, own.count);
+  EXPECT_EQ(mapped.compare, own.compare);
+  EXPECT_EQ(mapped.reference_count, own.reference_count);
+  EXPECT_EQ(mapped.metric, own.metric);
+  EXPECT_EQ(mapped.policy, own.policy);
+  EXPECT_EQ(mapped.policy_registers, own.policy_registers);
   EXPECT_EQ(mapped.magnitude, own.magnitude);
   EXPECT_EQ(mapped.reference, own.reference);
   EXPECT_EQ(mapped.minimum, own.minimum);
@@ -228,6 +255,24 @@ TEST(GoldenSettings, TheDefaultsOfTheTwoRoomsAgree) {
   EXPECT_EQ(mapped.table, own.table);
   EXPECT_EQ(mapped.max_depth, own.max_depth);
   EXPECT_EQ(mapped.min_weight, own.min_weight);
+}
+
+TEST(GoldenSettings, EveryPolicyHasATwin) {
+  const std::vector<const char*>& unit = hw::policy_names();
+  const std::vector<std::string> names(unit.begin(), unit.end());
+  EXPECT_THAT(ref::policy_names(), ::testing::UnorderedElementsAreArray(names));
+  for (const std::string& name : names) EXPECT_EQ(twin_of(name), name);
+}
+
+TEST(GoldenSettings, APolicyWithoutATwinIsRefused) {
+  try {
+    twin_of("no_such_policy");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("selective.policy: the golden model has no \"no_such_policy\""));
+    EXPECT_THAT(error.what(), HasSubstr("ref/policies/no_such_policy.cpp"));
+    EXPECT_THAT(error.what(), HasSubstr("attention"));
+  }
 }
 
 template <class Channel>
