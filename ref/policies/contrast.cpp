@@ -2,7 +2,7 @@
 // (docs/selective-rendering.md, "Policies of our own").
 #include <cstdlib>
 
-#include "ref/policies/attended.h"
+#include "ref/attended.h"
 
 namespace artu::ref::policies {
 namespace {

@@ -1,6 +1,6 @@
 // The threshold falls where earlier passes of the level had to trace, and where hits of several classes meet
 // (docs/selective-rendering.md, "Policies of our own").
-#include "ref/policies/attended.h"
+#include "ref/attended.h"
 
 namespace artu::ref::policies {
 namespace {
