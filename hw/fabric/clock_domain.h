@@ -55,11 +55,11 @@ class ClockDomain : public sc_core::sc_module {
 
   std::size_t add(Block& block);
   void step();
-  void work(Cycle cycle);
+  void work();
   void watch();
   bool anyone_busy() const;
-  Cycle next_cycle() const;
-  Tick next_tick() const;
+  Cycle next_on_wheel() const;
+  Tick next_tick() const { return running_ && next_ != never ? next_ * period_ : never; }
   void schedule();
   sc_core::sc_time time_of(Tick tick) const;
   void refill(Cycle cycle);
@@ -82,7 +82,7 @@ class ClockDomain : public sc_core::sc_module {
   std::vector<Far> far_;
   Cycle far_next_ = never;
 
-  Cycle now_ = 0;
+  Cycle now_ = 0, next_ = never;  // the cycle that is worked on, and the next with a wake
   Cycle watchdog_ = never, watched_from_ = 0;
   std::uint64_t watched_progress_ = 0;
   bool dead_locked_ = false;
@@ -104,6 +104,7 @@ inline void ClockDomain::wake(const Block& block, Cycle cycle) {
     far_.push_back({cycle, block.index_});
     far_next_ = far_next_ < cycle ? far_next_ : cycle;
   }
+  if (cycle < next_) next_ = cycle;
   if (!timeline_.driven && running_) schedule();
 }
 
