@@ -197,7 +197,11 @@ void ClockDomain::work() {
 }
 
 Block::Block(sc_core::sc_module_name name, ClockDomain& domain)
-    : sc_module(name), domain_(domain), index_(domain.add(*this)) {}
+    : sc_module(name),
+      domain_(domain),
+      index_(domain.add(*this)),
+      word_(index_ / 64),
+      bit_(std::uint64_t{1} << (index_ % 64)) {}
 
 std::string Block::path() const {
   const std::string full = name();

@@ -20,6 +20,8 @@ class ClockDomain : public sc_core::sc_module {
   ClockDomain(sc_core::sc_module_name name, Timeline& timeline, Tick period, double tick_seconds);
 
   Cycle now() const { return now_; }
+  /// The same, where it lies: for those that ask often.
+  const Cycle* clock() const { return &now_; }
   Tick period() const { return period_; }
   Timeline& timeline() { return timeline_; }
   /// The first cycle of this domain that begins strictly after `tick`.
@@ -98,7 +100,7 @@ inline Cycle Block::now() const { return domain_.now(); }
 inline void ClockDomain::wake(const Block& block, Cycle cycle) {
   if (cycle < now_ + slots) {
     const std::size_t slot = cycle % slots;
-    wheel_[slot * words_ + block.index_ / 64] |= std::uint64_t{1} << (block.index_ % 64);
+    wheel_[slot * words_ + block.word_] |= block.bit_;
     occupied_[slot / 64] |= std::uint64_t{1} << (slot % 64);
   } else {
     far_.push_back({cycle, block.index_});
