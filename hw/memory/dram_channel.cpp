@@ -96,6 +96,7 @@ void DramChannel::accept(const MemoryRequest& request, const DramPlace& place, C
     for (const Request& waiting : writes_) {
       if (waiting.line != request.line) continue;
       ++counts_.forwarded;
+      ++counts_.read_clocks;
       answer(now + 1, response);
       return;
     }
@@ -207,6 +208,7 @@ void DramChannel::column(std::vector<Request>& queue, std::size_t index, bool wr
   const Cycle latency = write ? config_.t_cwl : config_.t_cl, end = now + latency + data_;
   answer(end, request.response);
   counts_.bus_clocks += data_;
+  if (!write) counts_.read_clocks += end - request.arrived;
   bank.used_at = now;
   bank.precharge_at =
       std::max(bank.precharge_at, write ? end + config_.t_wr : now + last_column_ + Cycle{config_.t_rtp});
