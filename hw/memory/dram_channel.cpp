@@ -96,6 +96,7 @@ void DramChannel::accept(const MemoryRequest& request, const DramPlace& place, C
   const DramRequest waiting{{request.tag, request.source}, place.bank, request.line, place.row, now, 0, RowFound::open};
   if (!request.write() && writes_.holds(waiting)) {
     ++counts_.forwarded;
+    ++counts_.read_clocks;
     answer(now + 1, waiting.response);
     return;
   }
@@ -209,6 +210,7 @@ void DramChannel::column(DramQueue& queue, DramQueue::Index index, Cycle now) {
   const Cycle latency = write ? config_.t_cwl : config_.t_cl, end = now + latency + data_;
   answer(end, request.response);
   counts_.bus_clocks += data_;
+  if (!write) counts_.read_clocks += end - request.arrived;
   bank.used_at = now;
   bank.precharge_at =
       std::max(bank.precharge_at, write ? end + config_.t_wr : now + last_column_ + Cycle{config_.t_rtp});

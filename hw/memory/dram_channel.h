@@ -28,7 +28,7 @@ class DramChannel {
  public:
   struct Counts {
     std::uint64_t row_hits = 0, row_misses = 0, row_empty = 0, bus_clocks = 0, refreshes = 0, turns = 0, forwarded = 0;
-    std::uint64_t activates = 0, precharges = 0, reads = 0, writes = 0;
+    std::uint64_t activates = 0, precharges = 0, reads = 0, writes = 0, read_clocks = 0;
   };
 
   explicit DramChannel(const DramConfig& config);
