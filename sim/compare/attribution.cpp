@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace artu::sim {
 namespace {
@@ -13,12 +12,16 @@ Cause cause_of(Area first, Area second, Area pixel) {
   return pixel == first ? Cause::within : Cause::missed;
 }
 
-Decided decided(const hw::PixelRecord& pixel, std::size_t index, const FullRender& full) {
+Decided decided(const hw::PixelRecord& pixel, std::size_t index, const FullRender& full, bool average) {
   const Area own = area_of(full.classes[index]);
   if (pixel.decision != hw::Decision::interpolated) return {pixel.pass, Cause::traced, own, own, own};
-  const PairPlace place = pair_of(pixel, index, full.image.width);
-  Area first = area_of(full.classes[place.first]), second = area_of(full.classes[place.second]);
-  if (second < first) std::swap(first, second);
+  const Sources sources = sources_of(index, full.image.width, average);
+  Area first = area_of(full.classes.at(sources.pixels[0])), second = first;
+  for (std::size_t i = 1; i < sources.count; ++i) {
+    const Area area = area_of(full.classes.at(sources.pixels[i]));
+    first = std::min(first, area);
+    second = std::max(second, area);
+  }
   return {pixel.pass, cause_of(first, second, own), first, second, own};
 }
 
@@ -29,9 +32,17 @@ std::string Decided::pair() const {
                      area_names[static_cast<std::size_t>(second)]);
 }
 
-PairPlace pair_of(const hw::PixelRecord& pixel, std::size_t index, std::uint32_t width) {
-  const std::size_t step = pixel.pass == 1 ? 1 : width;
-  return {index - step, index + step};
+Sources sources_of(std::size_t index, std::uint32_t width, bool average) {
+  const std::size_t x = index % width, y = index / width;
+  // The distance to the sources is the largest power of two that divides both: a level's sampling pixels lie at
+  // multiples of twice as much.
+  const std::size_t both = x | y, distance = both & (~both + 1);
+  const bool across = x & distance, down = y & distance;
+  const std::size_t left = index - distance, right = index + distance;
+  const std::size_t above = index - distance * width, below = index + distance * width;
+  if (across && down && average) return {{left, right, above, below}, 4};
+  if (down) return {{above, below}, 2};
+  return {{left, right}, 2};
 }
 
 void Attribution::add(const FullRender& full, const FrameOutcome& outcome) {
@@ -40,7 +51,7 @@ void Attribution::add(const FullRender& full, const FrameOutcome& outcome) {
     WrongPixel wrong{outcome.index,
                      static_cast<std::uint32_t>(i % outcome.width),
                      static_cast<std::uint32_t>(i / outcome.width),
-                     decided(p, i, full),
+                     decided(p, i, full, average_),
                      p.threshold,
                      p.difference,
                      {p.r, p.g, p.b},

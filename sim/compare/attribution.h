@@ -51,16 +51,19 @@ struct WrongPixel {
   std::uint64_t squares = 0;
 };
 
-/// The two pixels between which a pixel was interpolated.  Only for those that were.
-struct PairPlace {
-  std::size_t first, second;  // indices into the rows
+/// The pixels that an interpolated one is the mean of: a pair, or two.
+struct Sources {
+  std::array<std::size_t, 4> pixels{};  // indices into the rows
+  std::size_t count = 0;
 };
-PairPlace pair_of(const hw::PixelRecord& pixel, std::size_t index, std::uint32_t width);
+/// Of a pixel that was interpolated its place alone says which they are, with any distance of the sampling pixels. With
+/// `average` the centre of four is the mean of all of them (a pass of its own), else of those above and below.
+Sources sources_of(std::size_t index, std::uint32_t width, bool average = false);
 
 class Attribution {
  public:
   /// Keeps the `worst` pixels with the largest squares.
-  explicit Attribution(std::size_t worst) : kept_(worst) {}
+  explicit Attribution(std::size_t worst, bool average = false) : kept_(worst), average_(average) {}
   void add(const FullRender& full, const FrameOutcome& outcome);
 
   const std::map<Decided, Share>& shares() const { return shares_; }
@@ -72,6 +75,7 @@ class Attribution {
   void keep(const WrongPixel& pixel);
 
   std::size_t kept_;
+  bool average_;
   std::map<Decided, Share> shares_;
   std::vector<WrongPixel> worst_;
 };

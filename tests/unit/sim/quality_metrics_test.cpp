@@ -164,6 +164,23 @@ TEST(Attribution, EveryCauseHasItsPixels) {
   EXPECT_EQ(attribution.worst()[1].squares, 12u);
 }
 
+std::vector<std::size_t> sources(std::size_t x, std::size_t y, bool average = false) {
+  const Sources s = sources_of(y * 100 + x, 100, average);
+  return {s.pixels.begin(), s.pixels.begin() + static_cast<std::ptrdiff_t>(s.count)};
+}
+
+TEST(Attribution, AnInterpolatedPixelsPlaceSaysWhatItIsMadeOf) {
+  using Places = std::vector<std::size_t>;
+  EXPECT_EQ(sources(3, 4), (Places{402, 404}));  // sampling pixels two apart
+  EXPECT_EQ(sources(4, 3), (Places{204, 404}));
+  EXPECT_EQ(sources(3, 3), (Places{203, 403}));
+  EXPECT_EQ(sources(3, 3, true), (Places{302, 304, 203, 403}));
+  EXPECT_EQ(sources(2, 0), (Places{0, 4}));  // four apart
+  EXPECT_EQ(sources(8, 6), (Places{408, 808}));
+  EXPECT_EQ(sources(6, 2), (Places{6, 406}));
+  EXPECT_EQ(sources(12, 8), (Places{808, 816}));  // eight apart
+}
+
 TEST(Attribution, AmongEqualPixelsTheFirstAreKept) {
   FullRender full{grey(5, {1, 2, 1, 2, 1}), std::vector<HitClass>(5, HitClass::miss)};
   FrameOutcome outcome;
