@@ -21,6 +21,7 @@ struct PixelRecord {
   std::uint8_t written = 0;          // times the frame buffer pixel was written: must be 1
   std::int64_t primitive = -1;       // of the primary ray, or -1
   std::uint32_t t_bits = 0;          // bits of the primary hit's t; 0 without a hit
+  std::uint32_t cycles = 0;          // from its job's dispatch to its write; 0 where no ray was traced
 };
 
 /// Row by row, width * height.

@@ -267,6 +267,7 @@ void RayTracingUnit::begin_frame(Address descriptor, PixelRecords* records) {
   control_unit.set_descriptor(descriptor);
   first_rendering_unit.observe(records);
   render_executor.observe(records);
+  dispatcher.observe(records);
   frame_writer.observe(records);
   for (auto& core : cores) core->shading.observe(records);
   for (ClockDomain* domain : timeline_.domains) domain->begin_frame();

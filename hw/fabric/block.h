@@ -76,10 +76,11 @@ class Block : public sc_core::sc_module {
   friend class ClockDomain;
   void run(Cycle now);
   void begin_frame(Cycle now);
-  void end_frame(Cycle now) { account(now); }
+  void end_frame(Cycle now) {
+    if (now != since_) account(now);
+  }
   void log_change(Cycle now, State before, unsigned phase_before) const;
   void account(Cycle now) {
-    if (now == since_) return;
     ++cycles_[static_cast<std::size_t>(state_)];
     cycles_[static_cast<std::size_t>(after_)] += now - since_ - 1;
     since_ = now;
@@ -89,7 +90,9 @@ class Block : public sc_core::sc_module {
   }
 
   ClockDomain& domain_;
-  std::size_t index_ = 0;  // in the domain's wake list
+  const std::size_t index_;  // in the domain's wake list
+  const std::size_t word_;   // there
+  const std::uint64_t bit_;  // in the word
   State state_ = State::idle, after_ = State::idle;
   Cycle since_ = 0;
   unsigned phases_ = ~0u, phase_ = 1, next_phase_ = 1;

@@ -33,6 +33,7 @@ void ClockDomain::begin_frame() {
   far_.clear();
   far_next_ = never;
   now_ = 0;
+  next_ = never;
   watched_from_ = 0;
   watched_progress_ = 0;
   dead_locked_ = false;
@@ -61,31 +62,22 @@ void ClockDomain::stop() {
   due_.cancel();
 }
 
-Cycle ClockDomain::next_cycle() const {
-  if (clocked_) return now_ + 1;
-  // Scan the occupancy bits from the slot after the present one, once round.
-  Cycle found = never;
+/// The first cycle after the present one for which the wheel has a wake.
+Cycle ClockDomain::next_on_wheel() const {
+  // The occupancy bits from the slot after the present one, once round.
   const std::size_t start = (now_ + 1) % slots;
   std::size_t word = start / 64;
-  if ((occupied_[word] >> (start % 64) & 1) != 0) return now_ + 1;  // the usual case
   std::uint64_t bits = occupied_[word] & (~std::uint64_t{0} << (start % 64));
   for (std::size_t i = 0; i <= slots / 64; ++i) {
     if (bits != 0) {
       const std::size_t slot = word * 64 + static_cast<std::size_t>(__builtin_ctzll(bits));
-      found = now_ + 1 + (slot + slots - start) % slots;
-      break;
+      return now_ + 1 + (slot + slots - start) % slots;
     }
     word = (word + 1) % (slots / 64);
     bits = occupied_[word];
     if (i + 1 == slots / 64) bits &= ~(~std::uint64_t{0} << (start % 64));
   }
-  return std::min(found, far_next_);
-}
-
-Tick ClockDomain::next_tick() const {
-  if (!running_) return never;
-  const Cycle cycle = next_cycle();
-  return cycle == never ? never : cycle * period_;
+  return never;
 }
 
 sc_core::sc_time ClockDomain::time_of(Tick tick) const {
@@ -144,7 +136,7 @@ void ClockDomain::step() {
       break;
     }
     timeline_.now = tick;
-    earliest->work(tick / earliest->period_);
+    earliest->work();
     earliest->watch();
   }
   timeline_.driven = false;
@@ -171,8 +163,10 @@ bool ClockDomain::anyone_busy() const {
   return false;
 }
 
-void ClockDomain::work(Cycle cycle) {
+void ClockDomain::work() {
+  const Cycle cycle = next_;
   now_ = cycle;
+  next_ = clocked_ ? cycle + 1 : never;
   if (far_next_ < cycle + slots) refill(cycle);
   const std::size_t slot = cycle % slots;
   std::uint64_t* words = &wheel_[slot * words_];
@@ -198,10 +192,16 @@ void ClockDomain::work(Cycle cycle) {
       }
     }
   }
+  // The blocks have asked for their next ticks; what was asked for earlier can only matter later than the next cycle.
+  if (next_ != cycle + 1) next_ = std::min({next_, next_on_wheel(), far_next_});
 }
 
 Block::Block(sc_core::sc_module_name name, ClockDomain& domain)
-    : sc_module(name), domain_(domain), index_(domain.add(*this)) {}
+    : sc_module(name),
+      domain_(domain),
+      index_(domain.add(*this)),
+      word_(index_ / 64),
+      bit_(std::uint64_t{1} << (index_ % 64)) {}
 
 std::string Block::path() const {
   const std::string full = name();

@@ -20,6 +20,8 @@ class ClockDomain : public sc_core::sc_module {
   ClockDomain(sc_core::sc_module_name name, Timeline& timeline, Tick period, double tick_seconds);
 
   Cycle now() const { return now_; }
+  /// The same, where it lies: for those that ask often.
+  const Cycle* clock() const { return &now_; }
   Tick period() const { return period_; }
   Timeline& timeline() { return timeline_; }
   /// The first cycle of this domain that begins strictly after `tick`.
@@ -55,11 +57,11 @@ class ClockDomain : public sc_core::sc_module {
 
   std::size_t add(Block& block);
   void step();
-  void work(Cycle cycle);
+  void work();
   void watch();
   bool anyone_busy() const;
-  Cycle next_cycle() const;
-  Tick next_tick() const;
+  Cycle next_on_wheel() const;
+  Tick next_tick() const { return running_ && next_ != never ? next_ * period_ : never; }
   void schedule();
   sc_core::sc_time time_of(Tick tick) const;
   void refill(Cycle cycle);
@@ -82,7 +84,7 @@ class ClockDomain : public sc_core::sc_module {
   std::vector<Far> far_;
   Cycle far_next_ = never;
 
-  Cycle now_ = 0;
+  Cycle now_ = 0, next_ = never;  // the cycle that is worked on, and the next with a wake
   Cycle watchdog_ = never, watched_from_ = 0;
   std::uint64_t watched_progress_ = 0;
   bool dead_locked_ = false;
@@ -98,12 +100,13 @@ inline Cycle Block::now() const { return domain_.now(); }
 inline void ClockDomain::wake(const Block& block, Cycle cycle) {
   if (cycle < now_ + slots) {
     const std::size_t slot = cycle % slots;
-    wheel_[slot * words_ + block.index_ / 64] |= std::uint64_t{1} << (block.index_ % 64);
+    wheel_[slot * words_ + block.word_] |= block.bit_;
     occupied_[slot / 64] |= std::uint64_t{1} << (slot % 64);
   } else {
     far_.push_back({cycle, block.index_});
     far_next_ = far_next_ < cycle ? far_next_ : cycle;
   }
+  if (cycle < next_) next_ = cycle;
   if (!timeline_.driven && running_) schedule();
 }
 

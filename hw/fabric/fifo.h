@@ -28,7 +28,9 @@ class Channel {
     producer_ = &producer;
     consumer_ = &consumer;
     timeline_ = &producer.domain().timeline();
-    same_domain_ = &producer.domain() == &consumer.domain();
+    producer_domain_ = &producer.domain();
+    consumer_domain_ = &consumer.domain();
+    consumer_now_ = consumer_domain_->clock();
   }
   virtual void reset() = 0;
   /// Keeps a bit of `word` set while anything is in the channel: its consumer need not look at empty ones.
@@ -49,18 +51,24 @@ class Channel {
   const Block* consumer() const { return consumer_; }
 
  protected:
+  bool same_domain() const { return producer_domain_ == consumer_domain_; }
+
   std::string name_;
-  std::uint32_t capacity_, latency_;
+  std::uint64_t seed_ = 0;
+  std::minstd_rand random_;
+  std::uint64_t own_flags_ = 0;
+  // What every push and pop needs comes last, beside the entries of the derived class.
   Block* producer_ = nullptr;
   Block* consumer_ = nullptr;
   Timeline* timeline_ = nullptr;
-  bool same_domain_ = true, stalls_ = false;
-  std::uint64_t seed_ = 0;
-  std::minstd_rand random_;
-  std::uint32_t count_ = 0;
-  std::uint64_t own_flags_ = 0;
+  ClockDomain* producer_domain_ = nullptr;
+  ClockDomain* consumer_domain_ = nullptr;
+  const Cycle* consumer_now_ = nullptr;
   std::uint64_t* flags_ = &own_flags_;
   std::uint64_t flag_ = 0;
+  std::uint32_t capacity_, latency_;
+  std::uint32_t count_ = 0;
+  bool stalls_ = false;
 };
 
 template <class Token>
@@ -92,8 +100,7 @@ class Fifo : public Channel {
     if (count_ + freed_later + n <= capacity_) return true;
     if (freed_later != 0) {
       // The pop of this very cycle came before this call: it could not know that someone waits.
-      ClockDomain& domain = producer_->domain();
-      domain.wake(*producer_, domain.now() + 1);
+      producer_domain_->wake(*producer_, producer_domain_->now() + 1);
     }
     producer_waits_ = true;
     return false;
@@ -102,8 +109,8 @@ class Fifo : public Channel {
   /// `extra` cycles on top of the channel's latency must not let a token overtake an earlier one.
   void push(const Token& token, std::uint32_t extra = 0) {
     assert(count_ < capacity_);
-    ClockDomain& domain = consumer_->domain();
-    Cycle ready = (same_domain_ ? domain.now() : domain.cycle_after(timeline_->now) - 1) + latency_ + extra;
+    const Cycle now = same_domain() ? *consumer_now_ : consumer_domain_->cycle_after(timeline_->now) - 1;
+    Cycle ready = now + latency_ + extra;
     if (stalls_ && random_() % 4 == 0) ready += random_() % 16;
     if (ready < last_ready_) ready = last_ready_;
     last_ready_ = ready;
@@ -113,11 +120,13 @@ class Fifo : public Channel {
     ++count_;
     *flags_ |= flag_;
     ++timeline_->progress;
-    domain.wake(*consumer_, ready);
+    consumer_domain_->wake(*consumer_, ready);
   }
 
   /// Consumer: whether a token has arrived.
-  bool can_pop() const { return count_ != 0 && entries_[head_ & mask_].ready <= consumer_->now(); }
+  bool can_pop() const { return count_ != 0 && entries_[head_ & mask_].ready <= *consumer_now_; }
+  /// The same for a consumer that knows that something is in the channel (flag) and what its cycle is.
+  bool has_arrived(Cycle now) const { return entries_[head_ & mask_].ready <= now; }
   const Token& front() const { return entries_[head_ & mask_].token; }
   void pop() {
     ++head_;
@@ -130,8 +139,8 @@ class Fifo : public Channel {
     ++popped_now_;
     if (producer_waits_) {
       producer_waits_ = false;
-      ClockDomain& domain = producer_->domain();
-      domain.wake(*producer_, same_domain_ ? domain.now() + 1 : domain.cycle_after(timeline_->now));
+      const Cycle next = same_domain() ? *consumer_now_ + 1 : producer_domain_->cycle_after(timeline_->now);
+      producer_domain_->wake(*producer_, next);
     }
   }
 

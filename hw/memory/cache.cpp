@@ -47,27 +47,12 @@ std::size_t Cache::set_of(Address line) const {
   return (config_.hashed ? index ^ (index >> set_shift_) ^ (index >> (2 * set_shift_)) : index) & (sets_ - 1);
 }
 
-Cache::Line* Cache::find(Address line) {
-  Line* set = &lines_[set_of(line) * config_.ways];
-  for (std::uint32_t way = 0; way < config_.ways; ++way) {
-    if (set[way].tag == line) return &set[way];
-  }
-  return nullptr;
-}
-
-/// A way that holds nothing, or the one that goes.
-Cache::Line& Cache::place_for(Address line) {
-  const std::size_t set = set_of(line);
-  Line* first = &lines_[set * config_.ways];
-  for (std::uint32_t way = 0; way < config_.ways; ++way) {
-    if (first[way].tag == 0) return first[way];
-  }
-  return first[replacement_.victim(set)];
-}
-
-void Cache::touch(Address line, const Line* place) {
-  const std::size_t set = set_of(line);
-  replacement_.touch(set, static_cast<std::uint32_t>(place - &lines_[set * config_.ways]));
+/// The way that holds the line, or for 0 one that holds nothing; the number of ways if there is none.
+std::uint32_t Cache::way_of(std::size_t set, Address line) const {
+  const Line* ways = &lines_[set * config_.ways];
+  std::uint32_t way = 0;
+  while (way < config_.ways && ways[way].tag != line) ++way;
+  return way;
 }
 
 /// The MSHR of a line, or a free one for line 0; the number of MSHRs if there is none.
@@ -77,7 +62,10 @@ std::size_t Cache::mshr_of(Address line) const {
 
 /// Puts a line in its set; false if the victim is dirty and cannot be written back in this cycle.
 bool Cache::install(Address line, bool dirty) {
-  Line& place = place_for(line);
+  const std::size_t set = set_of(line);
+  std::uint32_t way = way_of(set, 0);
+  if (way == config_.ways) way = replacement_.victim(set);
+  Line& place = lines_[set * config_.ways + way];
   if (place.tag != 0 && place.dirty) {
     if (!below_->request.can_push()) return false;
     below_->request.push({place.tag, whole_line, write_back_tag, 0});
@@ -86,7 +74,7 @@ bool Cache::install(Address line, bool dirty) {
   }
   if (place.tag != 0) replacement_.replaced();
   place = {line, dirty};
-  touch(line, &place);
+  replacement_.touch(set, way);
   ++changes_;
   return true;
 }
@@ -175,13 +163,14 @@ bool Cache::miss(std::size_t client, const MemoryRequest& request) {
 bool Cache::serve(std::size_t client, bool& blocked_out) {
   MemoryLink& link = *clients_[client];
   const MemoryRequest request = link.request.front();
-  if (Line* line = find(request.line)) {
+  const std::size_t set = set_of(request.line);
+  if (const std::uint32_t way = way_of(set, request.line); way != config_.ways) {
     if (!link.response.can_push()) {
       blocked_out = true;
       return false;
     }
-    touch(request.line, line);
-    line->dirty |= request.write();
+    replacement_.touch(set, way);
+    lines_[set * config_.ways + way].dirty |= request.write();
     link.response.push({request.tag, request.source});
     ++hits_;
   } else if (!miss(client, request)) {

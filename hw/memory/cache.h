@@ -76,9 +76,7 @@ class Cache : public Block {
   bool flush_step();
   bool anything_left() const;
   std::size_t set_of(Address line) const;
-  Line* find(Address line);
-  Line& place_for(Address line);
-  void touch(Address line, const Line* place);
+  std::uint32_t way_of(std::size_t set, Address line) const;
   bool install(Address line, bool dirty);
   std::size_t mshr_of(Address line) const;
 

@@ -14,19 +14,20 @@ void Dram::reset() {
   for (DramChannel& channel : channels_) channel.reset();
   std::fill(step_at_.begin(), step_at_.end(), never);
   arbiter_.reset();
+  placed_ = false;
   answers_ = 0;
   read_bytes_ = write_bytes_ = 0;
 }
 
 /// One answer a clock.
 bool Dram::answer(Cycle now, bool& blocked) {
-  const std::size_t chosen =
-      arbiter_.pick(channels_.size(), [&](std::size_t i) { return channels_[i].has_answer(now); });
-  if (chosen == channels_.size()) return false;
+  if (next_answer() > now) return false;
   if (!link_->response.can_push()) {
     blocked = true;
     return false;
   }
+  const std::size_t chosen =
+      arbiter_.pick(channels_.size(), [&](std::size_t i) { return channels_[i].has_answer(now); });
   DramChannel& channel = channels_[chosen];
   if (answers_++ != lost_) link_->response.push(channel.front());
   channel.pop();
@@ -34,21 +35,31 @@ bool Dram::answer(Cycle now, bool& blocked) {
   return true;
 }
 
-bool Dram::can_accept() const {
+Cycle Dram::next_answer() const {
+  Cycle at = never;
+  for (const DramChannel& channel : channels_) at = std::min(at, channel.next_answer());
+  return at;
+}
+
+bool Dram::can_accept() {
   if (!link_->request.can_pop()) return false;
   const MemoryRequest& request = link_->request.front();
-  return channels_[place_of_line(config_, request.line / line_bytes).channel].can_accept(request.write());
+  if (!placed_) {
+    place_ = place_of_line(config_, request.line / line_bytes);
+    placed_ = true;
+  }
+  return channels_[place_.channel].can_accept(request.write());
 }
 
 bool Dram::accept(Cycle now) {
   if (!can_accept()) return false;
   const MemoryRequest& request = link_->request.front();
-  const DramPlace place = place_of_line(config_, request.line / line_bytes);
-  channels_[place.channel].accept(request, place, now);
+  channels_[place_.channel].accept(request, place_, now);
   if (observer_) observer_(now, request);
-  step_at_[place.channel] = now;
+  step_at_[place_.channel] = now;
   (request.write() ? write_bytes_ : read_bytes_) += line_bytes;
   link_->request.pop();
+  placed_ = false;
   return true;
 }
 
@@ -85,6 +96,7 @@ void Dram::report(Statistics& out) const {
     sum.precharges += c.precharges;
     sum.reads += c.reads;
     sum.writes += c.writes;
+    sum.read_clocks += c.read_clocks;
   }
   out.push_back({block, "read_bytes", read_bytes_, "bytes", "read from DRAM, or from a waiting write"});
   out.push_back({block, "write_bytes", write_bytes_, "bytes", "written to DRAM"});
@@ -95,6 +107,7 @@ void Dram::report(Statistics& out) const {
   out.push_back({block, "row_empty", sum.row_empty, "", "accesses to a bank without an open row"});
   out.push_back({block, "forwarded", sum.forwarded, "", "reads answered by a waiting write of the line"});
   out.push_back({block, "bus_clocks", sum.bus_clocks, "DRAM clocks", "data buses occupied, all channels"});
+  out.push_back({block, "read_clocks", sum.read_clocks, "DRAM clocks", "from taking a read to its last data, all reads"});
   out.push_back({block, "activates", sum.activates, "", "rows opened"});
   out.push_back({block, "precharges", sum.precharges, "", "rows closed, by refreshes too"});
   out.push_back({block, "refreshes", sum.refreshes, "", "refresh commands that a later access met"});

@@ -42,7 +42,8 @@ class Dram : public MainMemory {
  private:
   Activity tick(Cycle now) override;
   bool answer(Cycle now, bool& blocked);
-  bool can_accept() const;
+  Cycle next_answer() const;
+  bool can_accept();
   bool accept(Cycle now);
 
   const DramConfig config_;
@@ -51,6 +52,8 @@ class Dram : public MainMemory {
   std::vector<DramChannel> channels_;
   std::vector<Cycle> step_at_;  // by channel
   RoundRobin arbiter_;
+  DramPlace place_;  // of the next request
+  bool placed_ = false;
   std::uint64_t lost_ = never, answers_ = 0;
   std::uint64_t read_bytes_ = 0, write_bytes_ = 0;
 };

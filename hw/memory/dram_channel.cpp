@@ -54,6 +54,8 @@ DramChannel::DramChannel(const DramConfig& config)
       data_(bursts_of(config) * (config.burst_length / 2)),
       last_column_(data_ - config.burst_length / 2),
       same_group_(std::max<Cycle>(data_, last_column_ + config.t_ccd_l)),
+      reads_(config.banks),
+      writes_(config.banks),
       banks_(config.banks),
       group_read_at_(config.bank_groups),
       group_write_at_(config.bank_groups) {
@@ -91,16 +93,15 @@ void DramChannel::pop() {
 }
 
 void DramChannel::accept(const MemoryRequest& request, const DramPlace& place, Cycle now) {
-  const MemoryResponse response{request.tag, request.source};
-  if (!request.write()) {
-    for (const Request& waiting : writes_) {
-      if (waiting.line != request.line) continue;
-      ++counts_.forwarded;
-      answer(now + 1, response);
-      return;
-    }
+  const DramRequest waiting{{request.tag, request.source}, place.bank, request.line, place.row, now, 0, RowFound::open};
+  if (!request.write() && writes_.holds(waiting)) {
+    ++counts_.forwarded;
+    ++counts_.read_clocks;
+    answer(now + 1, waiting.response);
+    return;
   }
-  (request.write() ? writes_ : reads_).push_back({response, request.line, place.bank, place.row, now});
+  const Bank& bank = banks_[place.bank];
+  (request.write() ? writes_ : reads_).push(waiting, bank.open && bank.row == place.row);
 }
 
 /// Refreshes that came due while nothing waited are made up for at their own times: the state is the same.
@@ -111,16 +112,15 @@ void DramChannel::refresh(Cycle now) {
     const std::uint32_t first = all ? 0 : refresh_bank_, last = all ? config_.banks : refresh_bank_ + 1;
     Cycle start = due;
     for (std::uint32_t i = first; i < last; ++i) {
-      Bank& bank = banks_[i];
-      time_out(bank, due);
+      time_out(i, due);
+      const Bank& bank = banks_[i];
       // An open row is closed first; one that was just closed has its precharge to end.
       const Cycle closed = std::max(due, bank.precharge_at) + (all ? config_.t_rp_all : config_.t_rp);
       start = std::max(start, bank.open ? closed : bank.activate_at);
     }
     for (std::uint32_t i = first; i < last; ++i) {
       if (banks_[i].open) ++counts_.precharges;
-      banks_[i].open = false;
-      banks_[i].activate_at = start + (all ? config_.t_rfc : config_.t_rfc_bank);
+      close(i, start + (all ? config_.t_rfc : config_.t_rfc_bank));
     }
     refresh_bank_ = (refresh_bank_ + 1) % config_.banks;
     refresh_at_ += refresh_interval(config_);
@@ -128,18 +128,25 @@ void DramChannel::refresh(Cycle now) {
   }
 }
 
-void DramChannel::time_out(Bank& bank, Cycle now) {
+void DramChannel::close(std::uint32_t bank, Cycle activate_at) {
+  banks_[bank].open = false;
+  banks_[bank].activate_at = activate_at;
+  reads_.closed(bank);
+  writes_.closed(bank);
+}
+
+void DramChannel::time_out(std::uint32_t index, Cycle now) {
+  const Bank& bank = banks_[index];
   if (config_.row_policy != RowPolicy::timeout || !bank.open) return;
   const Cycle at = std::max(bank.precharge_at, bank.used_at + config_.row_timeout);
   if (at >= now) return;
-  bank.open = false;
-  bank.activate_at = at + config_.t_rp;
+  close(index, at + config_.t_rp);
   ++counts_.precharges;
 }
 
 /// Whether the oldest of a queue goes before all others.
-bool DramChannel::starves(const std::vector<Request>& queue, Cycle now) const {
-  return !queue.empty() && now >= queue.front().arrived + config_.starvation;
+bool DramChannel::starves(const DramQueue& queue, Cycle now) const {
+  return !queue.empty() && now >= queue[queue.oldest()].arrived + config_.starvation;
 }
 
 void DramChannel::choose_direction(Cycle now) {
@@ -147,7 +154,7 @@ void DramChannel::choose_direction(Cycle now) {
   if (reads_.empty() || writes_.empty()) {
     writing_ = reads_.empty();
   } else if (read_starves || write_starves) {
-    writing_ = write_starves && !(read_starves && reads_.front().arrived <= writes_.front().arrived);
+    writing_ = write_starves && !(read_starves && reads_[reads_.oldest()].arrived <= writes_[writes_.oldest()].arrived);
   } else if (writes_.size() >= config_.write_high) {
     writing_ = true;
   } else if (writes_.size() <= config_.write_low) {
@@ -156,10 +163,11 @@ void DramChannel::choose_direction(Cycle now) {
   if (writing_ != before) ++counts_.turns;
 }
 
-Cycle DramChannel::column_at(const Request& request, bool write) const {
-  const std::size_t group = request.bank % config_.bank_groups;
-  return std::max({banks_[request.bank].column_at, write ? write_at_ : read_at_,
-                   write ? group_write_at_[group] : group_read_at_[group]});
+/// Of a request for the open row.
+Cycle DramChannel::column_at(std::uint32_t bank) const {
+  const std::size_t group = bank % config_.bank_groups;
+  return std::max({banks_[bank].column_at, writing_ ? write_at_ : read_at_,
+                   writing_ ? group_write_at_[group] : group_read_at_[group]});
 }
 
 Cycle DramChannel::activate_at(const Bank& bank) const {
@@ -170,43 +178,39 @@ Cycle DramChannel::activate_at(const Bank& bank) const {
   return at;
 }
 
-/// Whether a request of the direction that is served waits for the bank's open row.
-bool DramChannel::wanted(const Bank& bank, std::uint32_t index) const {
-  const auto waits = [&](const Request& r) { return r.bank == index && r.row == bank.row; };
-  const std::vector<Request>& queue = writing_ ? writes_ : reads_;
-  return std::any_of(queue.begin(), queue.end(), waits);
-}
-
-void DramChannel::precharge(Bank& bank, Cycle now) {
-  bank.open = false;
-  bank.activate_at = now + config_.t_rp;
+void DramChannel::precharge(std::uint32_t bank, Cycle now) {
+  close(bank, now + config_.t_rp);
   ++counts_.precharges;
 }
 
-void DramChannel::activate(Request& request, Cycle now) {
+void DramChannel::activate(DramRequest& request, Cycle now) {
   Bank& bank = banks_[request.bank];
   bank.open = true;
   bank.row = request.row;
   bank.column_at = now + config_.t_rcd;
   bank.precharge_at = now + config_.t_ras;
   bank.used_at = now;
-  if (request.found == Row::open) request.found = Row::none;
+  if (request.found == RowFound::open) request.found = RowFound::none;
+  reads_.opened(request.bank, request.row);
+  writes_.opened(request.bank, request.row);
   activates_[activate_index_] = now + 1;
   activate_index_ = (activate_index_ + 1) % 4;
   ++counts_.activates;
 }
 
-void DramChannel::column(std::vector<Request>& queue, std::size_t index, bool write, Cycle now) {
-  const Request request = queue[index];
-  queue.erase(queue.begin() + static_cast<std::ptrdiff_t>(index));
-  ++(request.found == Row::open   ? counts_.row_hits
-     : request.found == Row::none ? counts_.row_empty
-                                  : counts_.row_misses);
+void DramChannel::column(DramQueue& queue, DramQueue::Index index, Cycle now) {
+  const DramRequest request = queue[index];
+  const bool write = writing_;
+  queue.remove(index);
+  ++(request.found == RowFound::open   ? counts_.row_hits
+     : request.found == RowFound::none ? counts_.row_empty
+                                       : counts_.row_misses);
   ++(write ? counts_.writes : counts_.reads);
   Bank& bank = banks_[request.bank];
   const Cycle latency = write ? config_.t_cwl : config_.t_cl, end = now + latency + data_;
   answer(end, request.response);
   counts_.bus_clocks += data_;
+  if (!write) counts_.read_clocks += end - request.arrived;
   bank.used_at = now;
   bank.precharge_at =
       std::max(bank.precharge_at, write ? end + config_.t_wr : now + last_column_ + Cycle{config_.t_rtp});
@@ -224,10 +228,23 @@ void DramChannel::column(std::vector<Request>& queue, std::size_t index, bool wr
     const Cycle turned = end + config_.t_turn;
     push(write_at_, turned > config_.t_cwl ? turned - config_.t_cwl : 0);
   }
-  if (config_.row_policy == RowPolicy::closed && !wanted(bank, request.bank)) {
-    bank.open = false;  // with the column command: no command of its own
-    bank.activate_at = bank.precharge_at + config_.t_rp;
+  if (config_.row_policy == RowPolicy::closed && queue.hit_of(request.bank) == DramQueue::none) {
+    close(request.bank, bank.precharge_at + config_.t_rp);  // with the column command: no command of its own
     ++counts_.precharges;
+  }
+}
+
+/// What the bank of this request, the oldest of it or of all, could be sent, and when.
+void DramChannel::consider(DramQueue::Index oldest, bool starving, Cycle now, Choice& hit, Choice& other) const {
+  const DramQueue& queue = writing_ ? writes_ : reads_;
+  const DramRequest& request = queue[oldest];
+  const Bank& bank = banks_[request.bank];
+  const DramQueue::Index open = queue.hit_of(request.bank);
+  // A row with waiting accesses is not closed, except for a request that has waited for too long.
+  if (open != DramQueue::none && (!starving || open == oldest)) {
+    hit.consider(std::max(column_at(request.bank), now), open, queue[open].number);
+  } else {
+    other.consider(std::max(bank.open ? bank.precharge_at : activate_at(bank), now), oldest, request.number);
   }
 }
 
@@ -235,43 +252,39 @@ Cycle DramChannel::step(Cycle now) {
   if (reads_.empty() && writes_.empty()) return never;
   refresh(now);
   choose_direction(now);
-  std::vector<Request>& queue = writing_ ? writes_ : reads_;
-  const bool starving = starves(queue, now);
-  const std::size_t end = starving ? 1 : queue.size();
-  Choice hit, other;
-  std::uint64_t seen = 0;  // banks whose oldest request has been looked at
-  for (std::size_t i = 0; i < end; ++i) {
-    const Request& request = queue[i];
-    Bank& bank = banks_[request.bank];
-    time_out(bank, now);
-    if (bank.open && bank.row == request.row) {
-      const Cycle at = column_at(request, writing_);
-      if (at < hit.at) hit = {at, i};
-      if (at <= now) break;  // the oldest that is ready
-      continue;
+  DramQueue& queue = writing_ ? writes_ : reads_;
+  if (config_.row_policy == RowPolicy::timeout) {
+    for (std::uint64_t banks = queue.banks(); banks != 0; banks &= banks - 1) {
+      time_out(static_cast<std::uint32_t>(__builtin_ctzll(banks)), now);
     }
-    if ((seen >> request.bank & 1) != 0) continue;
-    seen |= std::uint64_t{1} << request.bank;
-    if (bank.open && !starving && wanted(bank, request.bank)) continue;
-    const Cycle at = bank.open ? bank.precharge_at : activate_at(bank);
-    if (std::max(at, now) < other.at) other = {std::max(at, now), i};
+  }
+  Choice hit, other;
+  if (starves(queue, now)) {
+    consider(queue.oldest(), true, now, hit, other);
+  } else {
+    for (std::uint64_t banks = queue.banks(); banks != 0; banks &= banks - 1) {
+      const auto bank = static_cast<std::uint32_t>(__builtin_ctzll(banks));
+      consider(queue.oldest_of(bank), false, now, hit, other);
+    }
   }
   const Cycle next = std::max(std::min(hit.at, other.at), command_at_);
-  Cycle wake = std::min(next, refresh_at_);
-  for (const std::vector<Request>* waiting : {&reads_, &writes_}) {
-    if (!waiting->empty() && !starves(*waiting, now))
-      wake = std::min(wake, waiting->front().arrived + config_.starvation);
+  if (next > now) {
+    Cycle wake = std::min(next, refresh_at_);
+    for (const DramQueue* waiting : {&reads_, &writes_}) {
+      if (!waiting->empty() && !starves(*waiting, now)) {
+        wake = std::min(wake, (*waiting)[waiting->oldest()].arrived + config_.starvation);
+      }
+    }
+    return std::max(wake, now + 1);
   }
-  if (next > now) return std::max(wake, now + 1);
   command_at_ = now + config_.t_command;
   if (hit.at <= now) {
-    column(queue, hit.index, writing_, now);
+    column(queue, hit.index, now);
   } else {
-    Request& request = queue[other.index];
-    Bank& bank = banks_[request.bank];
-    if (bank.open) {
-      precharge(bank, now);
-      request.found = Row::other;
+    DramRequest& request = queue[other.index];
+    if (banks_[request.bank].open) {
+      precharge(request.bank, now);
+      request.found = RowFound::other;
     } else {
       activate(request, now);
     }

@@ -13,6 +13,7 @@
 
 #include "hw/dram_config.h"
 #include "hw/fabric/memory_port.h"
+#include "hw/memory/dram_queue.h"
 
 namespace artu::hw {
 
@@ -27,7 +28,7 @@ class DramChannel {
  public:
   struct Counts {
     std::uint64_t row_hits = 0, row_misses = 0, row_empty = 0, bus_clocks = 0, refreshes = 0, turns = 0, forwarded = 0;
-    std::uint64_t activates = 0, precharges = 0, reads = 0, writes = 0;
+    std::uint64_t activates = 0, precharges = 0, reads = 0, writes = 0, read_clocks = 0;
   };
 
   explicit DramChannel(const DramConfig& config);
@@ -50,15 +51,6 @@ class DramChannel {
   const Counts& counts() const { return counts_; }
 
  private:
-  enum class Row : std::uint8_t { open, none, other };  // in its bank, when its turn came
-  struct Request {
-    MemoryResponse response;
-    Address line;
-    std::uint32_t bank;
-    std::uint64_t row;
-    Cycle arrived;
-    Row found = Row::open;
-  };
   struct Bank {
     bool open = false;
     std::uint64_t row = 0;
@@ -70,26 +62,33 @@ class DramChannel {
   };
   struct Choice {
     Cycle at = never;
-    std::size_t index = 0;
+    DramQueue::Index index = DramQueue::none;
+    std::uint64_t number = 0;
+    /// The oldest of those that can go now, or else the first that can.
+    void consider(Cycle earliest, DramQueue::Index i, std::uint64_t its_number) {
+      if (earliest > at || (earliest == at && its_number > number)) return;
+      *this = {earliest, i, its_number};
+    }
   };
 
   void refresh(Cycle now);
-  bool starves(const std::vector<Request>& queue, Cycle now) const;
+  bool starves(const DramQueue& queue, Cycle now) const;
   void choose_direction(Cycle now);
-  Cycle column_at(const Request& request, bool write) const;
+  Cycle column_at(std::uint32_t bank) const;
   Cycle activate_at(const Bank& bank) const;
-  void column(std::vector<Request>& queue, std::size_t index, bool write, Cycle now);
-  void activate(Request& request, Cycle now);
-  void precharge(Bank& bank, Cycle now);
-  bool wanted(const Bank& bank, std::uint32_t index) const;
+  void consider(DramQueue::Index oldest, bool starving, Cycle now, Choice& hit, Choice& other) const;
+  void column(DramQueue& queue, DramQueue::Index index, Cycle now);
+  void activate(DramRequest& request, Cycle now);
+  void precharge(std::uint32_t bank, Cycle now);
+  void close(std::uint32_t bank, Cycle activate_at);
   void answer(Cycle done, const MemoryResponse& response);
-  void time_out(Bank& bank, Cycle now);
+  void time_out(std::uint32_t bank, Cycle now);
 
   const DramConfig config_;
   const Cycle data_;         // clocks of the data bus for a line
   const Cycle last_column_;  // from its first burst's command to its last one's
   const Cycle same_group_;   // column command to column command of the same bank group
-  std::vector<Request> reads_, writes_;
+  DramQueue reads_, writes_;
   std::vector<Bank> banks_;
   std::vector<Answer> answers_;
   std::size_t answered_ = 0;

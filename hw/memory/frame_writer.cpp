@@ -61,7 +61,7 @@ void FrameWriter::combine(Address address, std::uint64_t bytes) {
   *free = {line, mask, ++clock_};
 }
 
-bool FrameWriter::write(const PixelToken& pixel) {
+bool FrameWriter::write(const PixelToken& pixel, Cycle now) {
   const FrameDescriptor& frame = registers_.descriptor;
   const std::uint64_t index = std::uint64_t{pixel.y} * frame.pitch + pixel.x;
   const Address color = frame.frame_buffer + index * 4;
@@ -85,6 +85,8 @@ bool FrameWriter::write(const PixelToken& pixel) {
     record.g = pixel.g;
     record.b = pixel.b;
     record.hit_class = pixel.hit_class;
+    // The dispatcher left the cycle in which it handed the pixel on; the difference is right modulo 2^32.
+    if (pixel.hit_class != HitClass::none) record.cycles = static_cast<std::uint32_t>(now) - record.cycles;
     if (record.written < 255) ++record.written;
   }
   return true;
@@ -107,7 +109,7 @@ Activity FrameWriter::tick(Cycle now) {
   const std::size_t chosen =
       arbiter_.pick(waiting_, sources_.size(), [&](std::size_t i) { return sources_[i]->can_pop(); });
   if (chosen != sources_.size()) {
-    if (write(sources_[chosen]->front())) {
+    if (write(sources_[chosen]->front(), now)) {
       sources_[chosen]->pop();
       arbiter_.granted(chosen, sources_.size());
       ++seen_;

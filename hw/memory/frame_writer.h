@@ -53,7 +53,7 @@ class FrameWriter : public Block {
     std::uint64_t age = 0;
   };
   Activity tick(Cycle now) override;
-  bool write(const PixelToken& pixel);
+  bool write(const PixelToken& pixel, Cycle now);
   bool reserve(Address line);
   bool evict(Entry& entry);
   void combine(Address address, std::uint64_t bytes);

@@ -20,7 +20,7 @@ void Interconnect::reset() {
 }
 
 /// One look at every master that waits: for each memory the first from its arbiter's pointer on, or else the first.
-bool Interconnect::pass_requests(bool& blocked, bool& left) {
+bool Interconnect::pass_requests(Cycle now, bool& blocked, bool& left) {
   std::array<std::size_t, maximum_memories> chosen;
   std::size_t ready = 0;
   std::uint32_t asked = 0;  // memories, and so those whose entry above means something
@@ -28,13 +28,15 @@ bool Interconnect::pass_requests(bool& blocked, bool& left) {
     for (std::uint64_t bits = waiting_[word]; bits != 0; bits &= bits - 1) {
       const std::size_t i = word * 64 + static_cast<std::size_t>(__builtin_ctzll(bits));
       const Fifo<MemoryRequest>& requests = masters_[i]->request;
-      if (!requests.can_pop()) continue;
+      if (!requests.has_arrived(now)) continue;
       const std::size_t memory = memory_of(requests.front().line);
       ++ready;
-      const bool first = (asked >> memory & 1) == 0;
-      const std::size_t pointer = arbiters_[memory].pointer();
-      if (first || (chosen[memory] < pointer && i >= pointer)) chosen[memory] = i;
-      asked |= 1u << memory;
+      if ((asked >> memory & 1) == 0) {
+        chosen[memory] = i;
+        asked |= 1u << memory;
+      } else if (const std::size_t pointer = arbiters_[memory].pointer(); chosen[memory] < pointer && i >= pointer) {
+        chosen[memory] = i;
+      }
     }
   }
   bool moved = false;
@@ -63,7 +65,7 @@ bool Interconnect::pass_requests(bool& blocked, bool& left) {
 
 bool Interconnect::pass_response(std::size_t memory, Cycle now, bool& blocked) {
   Fifo<MemoryResponse>& responses = memories_[memory]->response;
-  if (!responses.can_pop()) return false;
+  if (!responses.has_arrived(now)) return false;
   const MemoryResponse response = responses.front();
   Fifo<MemoryResponse>& up = masters_[response.source]->response;
   if (answered_[response.source] == now) {
@@ -84,18 +86,17 @@ bool Interconnect::pass_response(std::size_t memory, Cycle now, bool& blocked) {
 Activity Interconnect::tick(Cycle now) {
   // What is on its way wakes the block when it arrives; `left` is what could go on in the next cycle.
   bool blocked = false, left = false;
-  bool moved = pass_requests(blocked, left);
-  const std::size_t last = memories_.size() - 1;
+  bool moved = pass_requests(now, blocked, left);
   if (answering_ != 0) {
-    for (std::size_t i = 0; i <= last; ++i) {
-      const std::size_t memory = (first_memory_ + i) & last;
+    for (std::size_t i = 0; i <= last_memory_; ++i) {
+      const std::size_t memory = (first_memory_ + i) & last_memory_;
       if ((answering_ >> memory & 1) == 0) continue;
       moved |= pass_response(memory, now, blocked);
       left |= memories_[memory]->response.can_pop();
     }
   }
   if (!moved) return {blocked ? State::stall_out : State::stall_in};
-  first_memory_ = (first_memory_ + 1) & last;
+  first_memory_ = (first_memory_ + 1) & last_memory_;
   return left ? Activity(State::busy, now + 1) : Activity::once(State::busy, State::stall_in);
 }
 

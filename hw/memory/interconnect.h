@@ -26,6 +26,7 @@ class Interconnect : public Block {
   /// As many as a power of two, 16 at most.
   void add_memory(MemoryLink& link) {
     memories_.push_back(&link);
+    last_memory_ = memories_.size() - 1;
     arbiters_.emplace_back();
   }
 
@@ -35,16 +36,17 @@ class Interconnect : public Block {
  private:
   static constexpr std::size_t maximum_memories = 16;
   Activity tick(Cycle now) override;
-  bool pass_requests(bool& blocked, bool& left);
+  bool pass_requests(Cycle now, bool& blocked, bool& left);
   bool pass_response(std::size_t memory, Cycle now, bool& blocked);
-  std::size_t memory_of(Address line) const { return line / line_bytes & (memories_.size() - 1); }
+  std::size_t memory_of(Address line) const { return line / line_bytes & last_memory_; }
 
   std::vector<MemoryLink*> masters_, memories_;
   std::vector<std::uint64_t> waiting_;  // a bit a master
   std::uint64_t answering_ = 0;         // a bit a memory
   std::vector<RoundRobin> arbiters_;    // one a memory
   std::vector<Cycle> answered_;         // by master: when it got its last response
-  std::size_t first_memory_ = 0;        // whose responses go first
+  std::size_t last_memory_ = 0;
+  std::size_t first_memory_ = 0;  // whose responses go first
   std::uint64_t requests_ = 0, responses_ = 0, conflicts_ = 0;
 };
 

@@ -25,18 +25,14 @@ std::uint64_t Replacement::next(std::uint64_t state) {
   return x ^ (x >> 31);
 }
 
-void Replacement::touch(std::size_t set, std::uint32_t way) {
-  if (policy_ == ReplacementPolicy::lru) {
-    used_[set * ways_ + way] = ++clock_;
-  } else if (policy_ == ReplacementPolicy::plru) {
-    // From the root down, each node is pointed away from the way.  Node n has children 2n and 2n + 1; the root is 1.
-    std::uint64_t& bits = used_[set];
-    std::uint32_t node = 1;
-    for (std::uint32_t half = ways_ / 2; half != 0; half /= 2) {
-      const bool right = (way & half) != 0;
-      bits = right ? bits & ~(std::uint64_t{1} << node) : bits | std::uint64_t{1} << node;
-      node = 2 * node + (right ? 1 : 0);
-    }
+/// From the root down, each node is pointed away from the way.  Node n has children 2n and 2n + 1; the root is 1.
+void Replacement::point_away(std::size_t set, std::uint32_t way) {
+  std::uint64_t& bits = used_[set];
+  std::uint32_t node = 1;
+  for (std::uint32_t half = ways_ / 2; half != 0; half /= 2) {
+    const bool right = (way & half) != 0;
+    bits = right ? bits & ~(std::uint64_t{1} << node) : bits | std::uint64_t{1} << node;
+    node = 2 * node + (right ? 1 : 0);
   }
 }
 

@@ -17,13 +17,20 @@ class Replacement {
   void reset();
 
   /// A line was used or installed.
-  void touch(std::size_t set, std::uint32_t way);
+  void touch(std::size_t set, std::uint32_t way) {
+    if (policy_ == ReplacementPolicy::lru) {
+      used_[set * ways_ + way] = ++clock_;
+    } else if (policy_ == ReplacementPolicy::plru) {
+      point_away(set, way);
+    }
+  }
   /// The way that goes next; the same until something is touched or `replaced`.
   std::uint32_t victim(std::size_t set) const;
   /// The victim has gone: the next random one is another.
   void replaced() { state_ = next(state_); }
 
  private:
+  void point_away(std::size_t set, std::uint32_t way);
   static std::uint64_t next(std::uint64_t state);
 
   const ReplacementPolicy policy_;

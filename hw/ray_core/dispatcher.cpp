@@ -24,7 +24,11 @@ Activity Dispatcher::tick(Cycle now) {
   if (source == sources_.size()) return {State::stall_in};
   const std::size_t core = core_for(sources_[source]->front());
   if (core == cores_.size()) return {State::stall_out};
-  cores_[core]->push(sources_[source]->front());
+  const PixelJob& pixel = sources_[source]->front();
+  if (records_ != nullptr) {
+    (*records_)[std::size_t{pixel.y} * registers_.descriptor.width + pixel.x].cycles = static_cast<std::uint32_t>(now);
+  }
+  cores_[core]->push(pixel);
   sources_[source]->pop();
   source_arbiter_.granted(source, sources_.size());
   core_arbiter_.granted(core, cores_.size());

@@ -22,6 +22,8 @@ class Dispatcher : public Block {
       : Block(name, domain), registers_(registers), policy_(policy), tile_(tile) {}
   void add_source(Fifo<PixelJob>& source) { sources_.push_back(&source); }
   void add_core(Fifo<PixelJob>& core) { cores_.push_back(&core); }
+  /// The pixels' records, for the observer: `cycles` holds the cycle of the dispatch until the frame writer's write.
+  void observe(PixelRecords* records) { records_ = records; }
 
   void reset() override;
   void report(Statistics& out) const override;
@@ -35,6 +37,7 @@ class Dispatcher : public Block {
   const std::uint32_t tile_;  // pixels, its edge
   std::vector<Fifo<PixelJob>*> sources_, cores_;
   RoundRobin source_arbiter_, core_arbiter_;
+  PixelRecords* records_ = nullptr;
   std::uint64_t pixels_ = 0;
 };
 

@@ -6,6 +6,7 @@
 
 #include "sim/command/commands.h"
 #include "sim/command/ranges.h"
+#include "sim/quality/policies.h"
 #include "sim/report/interruption.h"
 #include "traces/error.h"
 
@@ -20,6 +21,7 @@ constexpr const char* examples = R"(Examples:
   artu import scene.glb --frames all -o scene.artu       all frames as a trace, to run without the scene
   artu precision scene.glb --bits 8-12,23                what narrow datapaths cost and save
   artu scaling scene.glb --vary core.count=1,2,4,8       what more cores gain, and what limits them
+  artu quality scene.glb --references 4,8,16,32          what selective rendering saves, and what the picture loses
   artu diff a.png b.png                                  how far two pictures are apart
   artu stress                                            rays that are hard to get right, against every kind of tree
   artu run --list-params                                 what can be configured
@@ -56,6 +58,18 @@ void add_configuration(CLI::App& command, Options& options) {
       ->group("Configuration");
 }
 
+template <class Take>
+void add_pictures(CLI::App& command, const char* by_default, Take take) {
+  std::string names;
+  for (const char* name : picture_names) names += std::string(name) + ", ";
+  command
+      .add_option_function<std::string>(
+          "--pictures", [take](const std::string& list) { take(parse_pictures(list)); },
+          fmt::format("Pictures of the report: {}all or none; default {}", names, by_default))
+      ->option_text("LIST")
+      ->group("Output");
+}
+
 void add_run_options(CLI::App& command, RunOptions& run) {
   add_source(command, run.source, "640x360", false, false);
   add_configuration(command, run);
@@ -65,6 +79,7 @@ void add_run_options(CLI::App& command, RunOptions& run) {
       ->group("Configuration");
 
   command.add_option("-o,--output", run.output, "Folder of the report")->option_text("DIR")->group("Output");
+  add_pictures(command, "frame,decision,class", [&run](const PictureSet& pictures) { run.pictures = pictures; });
   command.add_option("--dump-pixels", run.pixel_csv, "Write one row a pixel and frame (docs/selective-rendering.md)")
       ->option_text("FILE.csv")
       ->group("Output");
@@ -189,6 +204,34 @@ void add_scaling_options(CLI::App& command, ScalingOptions& scaling) {
   command.add_flag("--quiet", scaling.quiet, "No table, no notes, no progress bar")->group("Output");
 }
 
+void add_quality_options(CLI::App& command, QualityOptions& quality) {
+  add_source(command, quality.source, "640x360", false, true);
+  add_configuration(command, quality);
+  command
+      .add_option("--references", quality.references,
+                  fmt::format("Reference thresholds, 0 ... 255; default {}", quality.references))
+      ->option_text("LIST")
+      ->group("Sweep");
+  std::string names;
+  for (const Policy& policy : all_policies()) names += (names.empty() ? "" : ",") + policy.name;
+  command.add_option("--policies", quality.policies, fmt::format("How thresholds are moved; default {}", names))
+      ->option_text("LIST")
+      ->group("Sweep");
+  command
+      .add_option("--shares", quality.shares,
+                  fmt::format("Traced shares, in percent, at which policies are compared; default {}", quality.shares))
+      ->option_text("LIST")
+      ->group("Sweep");
+  command.add_option("--worst", quality.worst, "Pixels of each point that are listed; default 20")
+      ->option_text("N")
+      ->check(CLI::Range(0u, 1000000u))
+      ->group("Output");
+  add_pictures(command, "strip", [&quality](const PictureSet& pictures) { quality.pictures = pictures; });
+  command.add_option("-o,--output", quality.output, "Folder of the report")->option_text("DIR")->group("Output");
+  command.add_flag("--force", quality.force, "Replace an earlier run's folder")->group("Output");
+  command.add_flag("--quiet", quality.quiet, "No tables, no notes, no progress bar")->group("Output");
+}
+
 /// One line, without the full stop.
 std::string one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -203,8 +246,9 @@ void refuse_unknown_command(const CLI::App& app, int argc, const char* const* ar
   if (!app.get_subcommands(is_named).empty()) return;
   throw InputError(
       "command line",
-      fmt::format("unknown command \"{}\"; run, check, import, precision, scaling, diff or stress would be right",
-                  one_line(argv[1])));
+      fmt::format(
+          "unknown command \"{}\"; run, check, import, precision, scaling, quality, diff or stress would be right",
+          one_line(argv[1])));
 }
 
 int parse_and_run(int argc, const char* const* argv) {
@@ -258,8 +302,15 @@ int parse_and_run(int argc, const char* const* argv) {
   add_scaling_options(*command, scaling);
   command->callback([&] { chosen = [&] { return scaling_command(scaling); }; });
 
+  QualityOptions quality;
+  command = app.add_subcommand("quality",
+                               "Simulate the same frames with every policy and reference threshold: cycles, rays, DRAM "
+                               "bytes and energy against the picture's distance from the full render");
+  add_quality_options(*command, quality);
+  command->callback([&] { chosen = [&] { return quality_command(quality); }; });
+
   command = app.add_subcommand("diff",
-                               "How far two PNG pictures are apart: PSNR, SSIM, largest difference, share of "
+                               "How far two PNG pictures are apart: PSNR, SSIM, FLIP, largest difference, share of "
                                "pixels; exit code 0 whenever they could be compared");
   command->add_option("A.png", picture_a, "A picture")->option_text(" ")->required();
   command->add_option("B.png", picture_b, "Another, of the same size")->option_text(" ")->required();
@@ -273,7 +324,7 @@ int parse_and_run(int argc, const char* const* argv) {
   command->callback([&] { chosen = [&] { return stress_command(stress); }; });
 
   run.command.assign(argv, argv + argc);
-  precision.command = scaling.command = run.command;
+  precision.command = scaling.command = quality.command = run.command;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

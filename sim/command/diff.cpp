@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/command/commands.h"
+#include "sim/compare/flip.h"
 #include "sim/compare/image_metrics.h"
 #include "traces/error.h"
 
@@ -18,6 +19,7 @@ int diff_command(const std::string& a, const std::string& b) {
   fmt::print("PSNR                {}\n", std::isinf(d.psnr) ? "infinite" : fmt::format("{:.2f} dB", d.psnr));
   fmt::print("SSIM                {}\n",
              std::isnan(d.ssim) ? "not defined (smaller than its 11x11 window)" : fmt::format("{:.6f}", d.ssim));
+  fmt::print("FLIP                {:.6f}\n", flip_of(image_a, image_b));
   fmt::print("largest difference  {}\n", d.largest);
   fmt::print("pixels that differ  {} of {} ({:.3f} %)\n", d.differing, d.pixels,
              100.0 * static_cast<double>(d.differing) / static_cast<double>(d.pixels));

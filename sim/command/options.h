@@ -7,6 +7,7 @@
 
 #include "sim/driver/simulator.h"
 #include "sim/report/memory_trace.h"
+#include "sim/report/picture_set.h"
 
 namespace artu::sim {
 
@@ -25,6 +26,7 @@ struct RunOptions {
   bool folder_by_default = true;                // without `output`: a folder in runs/, or none
   std::string output, pixel_csv, memory_trace;  // "" = none given
   MemoryTraceFormat memory_trace_format = MemoryTraceFormat::dramsim3;
+  std::optional<PictureSet> pictures;  // of the report; none given: frame, decision, class
   bool dump_config = false, list_params = false, list_stats = false;
   bool dry_run = false, force = false, quiet = false;
   std::vector<std::string> command;  // the words of the command line
@@ -45,6 +47,19 @@ struct ScalingOptions {
   std::vector<std::string> config_files, assignments;
   std::string variation;  // PARAMETER=VALUE,VALUE...
   std::string output;     // "" = none given
+  bool force = false, quiet = false;
+  std::vector<std::string> command;  // the words of the command line
+};
+
+struct QualityOptions {
+  SourceOptions source;
+  std::vector<std::string> config_files, assignments;
+  std::string references = "0,2,4,8,16,32,64";  // thresholds, 0 ... 255
+  std::string policies;                         // "" = all
+  std::string shares = "30,40,50";              // traced, in percent
+  std::uint32_t worst = 20;                     // pixels of each point in worst_pixels.csv
+  PictureSet pictures{Picture::strip};
+  std::string output;  // "" = none given
   bool force = false, quiet = false;
   std::vector<std::string> command;  // the words of the command line
 };

@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <iterator>
 #include <map>
-#include <system_error>
 
 #include "sim/command/commands.h"
 #include "sim/command/frame_source.h"
@@ -17,6 +15,7 @@
 #include "sim/precision/sweep.h"
 #include "sim/report/file.h"
 #include "sim/report/gnuplot.h"
+#include "sim/report/heat.h"
 #include "sim/report/names.h"
 #include "sim/report/run_folder.h"
 
@@ -54,9 +53,9 @@ SweepPlan plan_of(const PrecisionOptions& options, const FrameRange& frames) {
 }
 
 /// Writes pictures as they come, and how far each is from those that came before: binary64, then 23 bits.
-class PictureWriter {
+class FormatPictures {
  public:
-  explicit PictureWriter(const RunFolder& folder) : folder_(folder) {}
+  explicit FormatPictures(const RunFolder& folder) : folder_(folder) {}
 
   void write(const std::string& name, std::uint32_t index, const Image& image) {
     const auto file = [&](const std::string& what) { return folder_.file(fmt::format("{}_{:04}.png", what, index)); };
@@ -74,26 +73,12 @@ class PictureWriter {
   std::map<std::string, std::map<std::uint32_t, Image>> references_;
 };
 
-std::string heading(const std::string& path, const traces::Scene& scene, const FrameRange& range) {
-  return fmt::format(
-      "{}, {}x{}, {}", path, scene.width, scene.height,
-      range.count() == 1 ? fmt::format("frame {}", range.first) : fmt::format("frames {}:{}", range.first, range.last));
-}
-
 /// "" if all went well, else why there is no plot.
 std::string draw(const RunFolder& folder, const std::vector<SweepRow>& rows, std::uint32_t frames,
                  const std::string& title) {
   const std::string script = plot_script(rows, frames, title);
   if (script.empty()) return "no picture differs from the two references, or they are too small for SSIM";
-  write_file(folder.file(plot_data_file), plot_data(rows, frames));
-  write_file(folder.file(plot_script_file), script);
-  const std::string problem = run_gnuplot(folder.partial(), plot_script_file);
-  if (problem.empty()) return "";
-  std::error_code ignored;
-  for (const char* begun : {"cost-against-error.svg", "cost-against-error.png"}) {
-    std::filesystem::remove(folder.file(begun), ignored);
-  }
-  return fmt::format("{}; {} is for it", problem, plot_script_file);
+  return draw_plot(folder.partial(), {precision_plot, plot_data(rows, frames), script});
 }
 
 }  // namespace
@@ -108,7 +93,7 @@ int precision_command(const PrecisionOptions& options) {
   const SweepPlan plan = plan_of(options, source.range());
   const std::uint32_t frames = source.range().count();
 
-  PictureWriter pictures(folder);
+  FormatPictures pictures(folder);
   std::vector<SweepRow> rows;
   {
     Progress progress(sweep_steps(plan), "frames", options.quiet);
@@ -122,7 +107,7 @@ int precision_command(const PrecisionOptions& options) {
     rows = run_sweep(source.scene(), plan, hooks);
   }
   const Manifest manifest = manifest_of(options.command, source_options.path, source);
-  const std::string title = heading(source_options.path, source.scene(), source.range());
+  const std::string title = heading(source_options.path, source);
   write_file(folder.file("precision.csv"), format_csv(rows));
   write_file(folder.file("precision.json"), format_json(rows, plan, manifest));
   write_file(folder.file("config.toml"), dump_config(plan.unit));

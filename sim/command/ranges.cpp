@@ -144,6 +144,55 @@ std::vector<hw::TreeKind> parse_trees(const std::string& text) {
   return trees;
 }
 
+PictureSet parse_pictures(const std::string& text) {
+  PictureSet set;
+  if (text == "none") return set;
+  for (const std::string& item : split(text, ',')) {
+    const auto* known = std::find(std::begin(picture_names), std::end(picture_names), item);
+    if (item != "all" && known == std::end(picture_names)) {
+      std::string names;
+      for (const char* name : picture_names) names += std::string(name) + ", ";
+      throw InputError(
+          "--pictures",
+          fmt::format("\"{}\" is no picture; of {}with commas between them, all or none would be right", item, names));
+    }
+    for (std::size_t i = 0; i < picture_count; ++i) {
+      if (item == "all" || item == picture_names[i]) set.add(static_cast<Picture>(i));
+    }
+  }
+  return set;
+}
+
+std::vector<std::uint32_t> parse_references(const std::string& text) {
+  std::vector<std::uint32_t> references;
+  for (const std::string& item : split(text, ',')) {
+    const auto reference = parse_number(item);
+    if (!reference || *reference > 255) {
+      throw InputError("--references", fmt::format("\"{}\" is no threshold; 0 ... 255, with commas between them, such "
+                                                   "as 4,8,16, would be right",
+                                                   item));
+    }
+    if (std::find(references.begin(), references.end(), *reference) == references.end()) {
+      references.push_back(*reference);
+    }
+  }
+  return references;
+}
+
+std::vector<double> parse_shares(const std::string& text) {
+  std::vector<double> shares;
+  for (const std::string& item : split(text, ',')) {
+    const auto percent = parse_number<double>(item);
+    if (!percent || !(*percent > 0 && *percent <= 100)) {
+      throw InputError("--shares", fmt::format("\"{}\" is no percentage above 0 and up to 100; such as 30,40,50 would "
+                                               "be right",
+                                               item));
+    }
+    shares.push_back(*percent / 100);
+  }
+  return shares;
+}
+
 MemoryTraceFormat parse_memory_trace_format(const std::string& text) {
   static constexpr std::pair<const char*, MemoryTraceFormat> formats[] = {
       {"dramsim3", MemoryTraceFormat::dramsim3},

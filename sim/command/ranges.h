@@ -1,5 +1,5 @@
 // Options that are more than a word: `--frames`, `--size`, `--seed`, `--inject-fault`, `--log`, `--bits`, `--trees`,
-// `--memory-trace-format`.
+// `--memory-trace-format`, `--pictures`, `--references`, `--shares`.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 #include "hw/run_mode.h"
 #include "hw/unit_config.h"
 #include "sim/report/memory_trace.h"
+#include "sim/report/picture_set.h"
 
 namespace artu::sim {
 
@@ -41,6 +42,15 @@ std::vector<hw::PrecisionConfig> parse_formats(const std::string& text);
 
 /// Names of trees between commas: bvh2, bvh4, bvh8, kd.  Throws InputError.
 std::vector<hw::TreeKind> parse_trees(const std::string& text);
+
+/// Names of pictures between commas, or "all", or "none".  Throws InputError.
+PictureSet parse_pictures(const std::string& text);
+
+/// Thresholds between commas, 0 ... 255; each counts once.  Throws InputError.
+std::vector<std::uint32_t> parse_references(const std::string& text);
+
+/// Percentages between commas, above 0 and up to 100; as shares, 0 ... 1.  Throws InputError.
+std::vector<double> parse_shares(const std::string& text);
 
 /// dramsim3, ramulator or ramulator2.  Throws InputError.
 MemoryTraceFormat parse_memory_trace_format(const std::string& text);

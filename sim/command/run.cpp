@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "sim/command/commands.h"
 #include "sim/command/example_scene.h"
@@ -53,13 +54,22 @@ RunResult run_frames(const FrameSource& source, Simulator& simulator, const hw::
                      const ref::Golden* golden, bool quiet, RunReport& report) {
   RunResult result;
   const FrameRange range = source.range();
+  report.begin_pictures(range.count(), source.scene().fps);
+  std::unique_ptr<ref::Golden> every_pixel;  // the same pixels as the unit's full render, without its cycles
+  if (report.needs_full()) {
+    ref::Settings settings = golden_settings(unit);
+    settings.selective = false;
+    every_pixel = std::make_unique<ref::Golden>(source.scene(), settings);
+  }
   Progress progress(range.count(), "frames", quiet);
   for (std::uint32_t index = range.first; index < range.last; ++index) {
     const traces::Frame frame = source.frame(index);
     const FrameOutcome outcome = simulator.run(frame);
     if (golden) compare_frame(golden->render(frame), outcome, result.check);
     const Totals totals = totals_of(outcome);
-    report.add(outcome, totals, unit);
+    std::optional<FullRender> full;
+    if (every_pixel) full = full_render_of(every_pixel->render(frame));
+    report.add(outcome, totals, unit, full ? &*full : nullptr);
     add(result.sum, totals);
     report_violations(outcome);
     result.lawful = result.lawful && outcome.violations.empty();

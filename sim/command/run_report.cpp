@@ -4,7 +4,6 @@
 
 #include "sim/config/dump.h"
 #include "sim/report/digest.h"
-#include "sim/report/pictures.h"
 #include "sim/report/pixel_csv.h"
 #include "sim/report/stats_text.h"
 #include "traces/error.h"
@@ -26,6 +25,13 @@ Manifest manifest_of(const std::vector<std::string>& command, const std::string&
   return manifest;
 }
 
+std::string heading(const std::string& input, const FrameSource& source) {
+  const FrameRange range = source.range();
+  return fmt::format(
+      "{}, {}x{}, {}", input, source.scene().width, source.scene().height,
+      range.count() == 1 ? fmt::format("frame {}", range.first) : fmt::format("frames {}:{}", range.first, range.last));
+}
+
 RunReport::RunReport(const RunOptions& options) {
   if (!options.pixel_csv.empty()) {
     csv_ = std::make_unique<AtomicFile>(options.pixel_csv, options.force);
@@ -42,17 +48,23 @@ RunReport::RunReport(const RunOptions& options) {
   } else if (options.folder_by_default) {
     folder_.emplace(RunFolder::next_free(options.source.path));
   }
+  if (options.pictures && !folder_) {
+    throw InputError("--pictures", "there is no folder for them; -o DIR as well would be right");
+  }
+  set_ = options.pictures.value_or(PictureSet{Picture::frame, Picture::decision, Picture::hit_class});
   if (folder_) json_ = std::make_unique<StatsJson>(folder_->file("stats.json"));
 }
 
-void RunReport::add(const FrameOutcome& outcome, const Totals& frame, const hw::UnitConfig& unit) {
+void RunReport::begin_pictures(std::uint32_t frames, double fps) {
+  if (folder_) pictures_.emplace(folder_->file(""), set_, frames, fps);
+}
+
+void RunReport::add(const FrameOutcome& outcome, const Totals& frame, const hw::UnitConfig& unit,
+                    const FullRender* full) {
   if (memory_trace_) memory_trace_->end_frame(outcome.cycles * unit.memory.dram.clock_mhz / unit.clock_mhz);
   if (csv_) pixel_csv_rows(outcome, [this](const std::string& rows) { csv_->write(rows); });
   if (!folder_) return;
-  const std::string number = fmt::format("_{:04}.png", outcome.index);
-  write_png(folder_->file("frame" + number), frame_picture(outcome));
-  write_png(folder_->file("decision" + number), decision_picture(outcome));
-  write_png(folder_->file("class" + number), class_picture(outcome));
+  pictures_->add(outcome, full);
   const Energy energy = energy_of(frame, unit);
   json_->add_frame(outcome.index, frame, outcome.violations, &energy);
 }
@@ -60,6 +72,7 @@ void RunReport::add(const FrameOutcome& outcome, const Totals& frame, const hw::
 void RunReport::finish(const Totals& sum, const hw::UnitConfig& unit, const Manifest& manifest,
                        const CheckResult* check) {
   if (folder_) {
+    pictures_->finish();
     const Energy energy = energy_of(sum, unit);
     json_->finish(sum, unit.clock_mhz, check, &energy);
     const double golden_seconds = check ? check->golden_seconds : -1;

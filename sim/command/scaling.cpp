@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <stdexcept>
-#include <system_error>
 
 #include "sim/command/commands.h"
 #include "sim/command/frame_source.h"
@@ -42,18 +40,6 @@ Totals simulate(const FrameSource& source, const hw::UnitConfig& unit, Progress&
   return sum;
 }
 
-/// "" if all went well, else why there is no plot.
-std::string draw(const RunFolder& folder, const Variation& variation, const std::vector<ScalingRow>& rows,
-                 const std::string& title) {
-  write_file(folder.file(scaling_data_file), scaling_data(rows));
-  write_file(folder.file(scaling_script_file), scaling_script(variation, rows, title));
-  const std::string problem = run_gnuplot(folder.partial(), scaling_script_file);
-  if (problem.empty()) return "";
-  std::error_code ignored;
-  for (const char* begun : {"scaling.svg", "scaling.png"}) std::filesystem::remove(folder.file(begun), ignored);
-  return fmt::format("{}; {} is for it", problem, scaling_script_file);
-}
-
 }  // namespace
 
 int scaling_command(const ScalingOptions& options) {
@@ -74,14 +60,12 @@ int scaling_command(const ScalingOptions& options) {
       rows.push_back(scaling_row(variation.values[i], totals, units[i], i == 0 ? totals.cycles : rows[0].cycles));
     }
   }
-  const std::string title =
-      fmt::format("{}, {}x{}, {}", options.source.path, source.scene().width, source.scene().height,
-                  frames == 1 ? fmt::format("frame {}", source.range().first)
-                              : fmt::format("frames {}:{}", source.range().first, source.range().last));
+  const std::string title = heading(options.source.path, source);
   write_file(folder.file("scaling.csv"), scaling_csv(variation, rows));
   write_file(folder.file("config.toml"), dump_config(units[0]));
   write_file(folder.file("manifest.json"), to_json(manifest_of(options.command, options.source.path, source)));
-  const std::string no_plot = draw(folder, variation, rows, title);
+  const std::string no_plot =
+      draw_plot(folder.partial(), {scaling_plot, scaling_data(rows), scaling_script(variation, rows, title)});
   folder.commit();
 
   if (!no_plot.empty()) log.push_back("no plot: " + no_plot);

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace artu::sim {
 namespace {
 
-constexpr std::uint32_t window = 11;
+constexpr std::uint32_t window = ssim_window;
 constexpr double sigma = 1.5;
 constexpr double c1 = (0.01 * 255) * (0.01 * 255), c2 = (0.03 * 255) * (0.03 * 255);
 
@@ -36,13 +37,13 @@ double similarity(const Moments& m) {
   return (2 * m.a * m.b + c1) * (2 * cov + c2) / ((m.a * m.a + m.b * m.b + c1) * (var_a + var_b + c2));
 }
 
-/// The window is separable: rows are filtered as they come, and the last 11 kept for the columns.
-double ssim_of_channel(const Image& a, const Image& b, unsigned channel) {
+/// Adds a third of the channel's.  The window is separable: rows are filtered as they come, and the last 11 kept for
+/// the columns.
+void add_ssim_of_channel(const Image& a, const Image& b, unsigned channel, std::vector<double>& map) {
   const std::array<double, window> weights = gaussian();
   const std::uint32_t columns = a.width - window + 1;
   std::array<std::vector<Moments>, window> rows;
   for (auto& row : rows) row.resize(columns);
-  double sum = 0;
   for (std::uint32_t y = 0; y < a.height; ++y) {
     std::vector<Moments>& row = rows[y % window];
     const std::size_t start = std::size_t{y} * a.width;
@@ -58,10 +59,9 @@ double ssim_of_channel(const Image& a, const Image& b, unsigned channel) {
     for (std::uint32_t x = 0; x < columns; ++x) {
       Moments m;
       for (std::uint32_t i = 0; i < window; ++i) m.add(weights[i], rows[(y + 1 + i) % window][x]);
-      sum += similarity(m);
+      map[std::size_t{y + 1 - window} * columns + x] += similarity(m) / 3;
     }
   }
-  return sum / (static_cast<double>(columns) * (a.height - window + 1));
 }
 
 }  // namespace
@@ -69,6 +69,13 @@ double ssim_of_channel(const Image& a, const Image& b, unsigned channel) {
 double psnr_of(std::uint64_t squares, std::uint64_t pixels) {
   if (squares == 0) return std::numeric_limits<double>::infinity();
   return 10 * std::log10(255.0 * 255.0 * 3 * static_cast<double>(pixels) / static_cast<double>(squares));
+}
+
+std::vector<double> ssim_map(const Image& a, const Image& b) {
+  if (a.width < window || a.height < window) return {};
+  std::vector<double> map(std::size_t{a.width - window + 1} * (a.height - window + 1));
+  for (unsigned channel = 0; channel < 3; ++channel) add_ssim_of_channel(a, b, channel, map);
+  return map;
 }
 
 ImageDifference compare_images(const Image& a, const Image& b) {
@@ -85,11 +92,9 @@ ImageDifference compare_images(const Image& a, const Image& b) {
     result.largest = std::max(result.largest, of_pixel);
   }
   result.psnr = psnr_of(result.squares, result.pixels);
-  if (a.width < window || a.height < window) {
-    result.ssim = std::numeric_limits<double>::quiet_NaN();
-  } else {
-    for (unsigned channel = 0; channel < 3; ++channel) result.ssim += ssim_of_channel(a, b, channel) / 3;
-  }
+  const std::vector<double> similarities = ssim_map(a, b);
+  result.ssim = std::accumulate(similarities.begin(), similarities.end(), 0.0) /
+                static_cast<double>(similarities.size());  // NaN without a window
   return result;
 }
 

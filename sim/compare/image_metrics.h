@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "sim/report/image.h"
 
@@ -18,6 +19,12 @@ struct ImageDifference {
 
 /// In dB with a peak of 255; infinity where `squares` is 0.
 double psnr_of(std::uint64_t squares, std::uint64_t pixels);
+
+inline constexpr std::uint32_t ssim_window = 11;
+
+/// SSIM of every window that lies in the picture whole, row by row: (width - 10) x (height - 10), of which (x, y) is
+/// the window around pixel (x + 5, y + 5).  Empty where the picture is smaller than the window.
+std::vector<double> ssim_map(const Image& a, const Image& b);
 
 /// Both must have one size.
 ///

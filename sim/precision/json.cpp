@@ -41,14 +41,7 @@ Json object_of(const SweepRow& r) {
 
 std::string format_json(const std::vector<SweepRow>& rows, const SweepPlan& plan, const Manifest& m) {
   Json json = {{"schema", precision_schema}, {"version", m.version}};
-  json["scene"] = {{"file", m.input},
-                   {"sha256", m.input_sha256},
-                   {"kind", m.input_is_trace ? "trace" : "scene"},
-                   {"first_frame", m.first_frame},
-                   {"last_frame", m.last_frame},
-                   {"width", m.width},
-                   {"height", m.height},
-                   {"fps", m.fps}};
+  json["scene"] = scene_json(m);
   json["rows"] = Json::array();
   for (const SweepRow& row : rows) json["rows"].push_back(object_of(row));
   // Of the unit, but for what the rows themselves say.

@@ -134,9 +134,9 @@ std::string plot_script(const Rows& rows, std::uint32_t frames, const std::strin
     }
   }
   return fmt::format(
-      "# Cost against error; draw again with: gnuplot {}\n"
-      "data = '{}'\n"
-      "trees = '{}'\n"
+      "# Cost against error; draw again with: gnuplot {0}.gnuplot\n"
+      "data = '{0}.dat'\n"
+      "trees = '{1}'\n"
       "set xlabel 'error: 1 - SSIM'\n"
       "set ylabel 'cost: cycles a frame, in thousands'\n"
       "set format '%g'\n"
@@ -147,17 +147,16 @@ std::string plot_script(const Rows& rows, std::uint32_t frames, const std::strin
       "set style line 3 linecolor rgb '#2ca02c' linewidth 1.5 pointtype 9 pointsize 0.9\n"
       "set style line 4 linecolor rgb '#9467bd' linewidth 1.5 pointtype 13 pointsize 0.9\n"
       "do for [kind in 'svg png'] {{\n"
-      "if (kind eq 'svg') {{ set terminal svg size {},560 font 'sans-serif,12' background 'white' }} \\\n"
-      "else {{ set terminal pngcairo size {},560 font 'Sans,11' }}\n"
+      "if (kind eq 'svg') {{ set terminal svg size {2},560 font 'sans-serif,12' background 'white' }} \\\n"
+      "else {{ set terminal pngcairo size {2},560 font 'Sans,11' }}\n"
       "set output 'cost-against-error.' . kind\n"
-      "set multiplot layout 1,{} title {} noenhanced\n"
+      "set multiplot layout 1,{3} title {4} noenhanced\n"
       "set key at screen 0.5,0.03 center horizontal\n"
-      "{}"
+      "{5}"
       "unset multiplot\n"
       "unset output\n"
       "}}\n",
-      plot_script_file, plot_data_file, names, 640 * drawn, 640 * drawn, drawn,
-      gnuplot_literal(title + "; points are named by M"), body);
+      precision_plot, names, 640 * drawn, drawn, gnuplot_literal(title + "; points are named by M"), body);
 }
 
 }  // namespace artu::sim

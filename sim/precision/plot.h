@@ -8,8 +8,7 @@
 
 namespace artu::sim {
 
-inline constexpr const char* plot_data_file = "cost-against-error.dat";
-inline constexpr const char* plot_script_file = "cost-against-error.gnuplot";
+inline constexpr const char* precision_plot = "cost-against-error";  // the name of its files
 
 /// A block of lines a tree; the first line names the columns.
 std::string plot_data(const std::vector<SweepRow>& rows, std::uint32_t frames);

@@ -23,10 +23,6 @@ std::string format_csv(const std::vector<SweepRow>& rows);
 /// The same with what was run; what is infinite or no number is null.
 std::string format_json(const std::vector<SweepRow>& rows, const SweepPlan& plan, const Manifest& manifest);
 
-/// Where two pictures of one size differ: black where they are equal, then from blue over red and yellow to white by
-/// the largest difference of a channel, on a logarithmic scale.
-Image heat_map(const Image& a, const Image& b);
-
 /// A format in a file's name: "M07", "M12-15-10".
 std::string file_name(const std::string& picture_name);
 

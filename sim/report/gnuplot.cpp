@@ -9,6 +9,10 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "sim/report/file.h"
 
 extern char** environ;
 
@@ -42,6 +46,17 @@ std::string run_gnuplot(const std::string& folder, const std::string& script) {
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
   return "gnuplot failed";
+}
+
+std::string draw_plot(const std::string& folder, const Plot& plot) {
+  const auto file = [&](const std::string& name) { return folder + "/" + name; };
+  write_file(file(plot.data_file()), plot.data);
+  write_file(file(plot.script_file()), plot.script);
+  const std::string problem = run_gnuplot(folder, plot.script_file());
+  if (problem.empty()) return "";
+  std::error_code ignored;
+  for (const char* begun : {".svg", ".png"}) std::filesystem::remove(file(plot.name + begun), ignored);
+  return fmt::format("{}; {} is for it", problem, plot.script_file());
 }
 
 std::string gnuplot_literal(const std::string& text) {

@@ -23,16 +23,18 @@
 
 namespace artu::sim {
 
-void write_png(const std::string& file, const Image& image) {
-  OutputFile out(file);
+std::string encode_png(const std::string& file, const Image& image) {
+  std::string bytes;
   const auto write = [](void* context, void* data, int size) {
-    static_cast<OutputFile*>(context)->write({static_cast<const char*>(data), static_cast<std::size_t>(size)});
+    static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
   };
-  const int ok = stbi_write_png_to_func(write, &out, static_cast<int>(image.width), static_cast<int>(image.height), 3,
+  const int ok = stbi_write_png_to_func(write, &bytes, static_cast<int>(image.width), static_cast<int>(image.height), 3,
                                         image.rgb.data(), static_cast<int>(image.width * 3));
   if (!ok) throw InputError(file, "cannot encode the picture; a smaller --size would be right");
-  out.close();
+  return bytes;
 }
+
+void write_png(const std::string& file, const Image& image) { write_file(file, encode_png(file, image)); }
 
 Image read_png(const std::string& file) {
   const std::string bytes = read_file(file);

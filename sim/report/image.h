@@ -12,6 +12,10 @@ struct Image {
   std::vector<std::uint8_t> rgb;  // row 0 first, 3 bytes a pixel
 };
 
+/// The bytes of a PNG file; throws InputError where the picture is too large for one, with the name of the file it is
+/// for.
+std::string encode_png(const std::string& file, const Image& image);
+
 /// Both throw InputError with the file's name.  Alpha is dropped on reading.
 void write_png(const std::string& file, const Image& image);
 Image read_png(const std::string& file);

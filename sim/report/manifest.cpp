@@ -25,4 +25,15 @@ std::string to_json(const Manifest& m) {
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
+nlohmann::ordered_json scene_json(const Manifest& m) {
+  return {{"file", m.input},
+          {"sha256", m.input_sha256},
+          {"kind", m.input_is_trace ? "trace" : "scene"},
+          {"first_frame", m.first_frame},
+          {"last_frame", m.last_frame},
+          {"width", m.width},
+          {"height", m.height},
+          {"fps", m.fps}};
+}
+
 }  // namespace artu::sim

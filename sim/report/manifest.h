@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,8 @@ struct Manifest {
 };
 
 std::string to_json(const Manifest& manifest);
+
+/// What was rendered: file, checksum, kind, frames, size, rate.
+nlohmann::ordered_json scene_json(const Manifest& manifest);
 
 }  // namespace artu::sim

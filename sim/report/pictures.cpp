@@ -1,7 +1,11 @@
 #include "sim/report/pictures.h"
 
+#include "sim/report/heat.h"
+
 namespace artu::sim {
 namespace {
+
+constexpr Color black{0, 0, 0};
 
 template <class ColorOf>
 Image paint(const FrameOutcome& outcome, ColorOf color_of) {
@@ -55,6 +59,18 @@ Image decision_picture(const FrameOutcome& outcome) {
 
 Image class_picture(const FrameOutcome& outcome) {
   return paint(outcome, [](const hw::PixelRecord& p) { return class_color(p.hit_class); });
+}
+
+Image threshold_picture(const FrameOutcome& outcome) {
+  return paint(outcome, [](const hw::PixelRecord& p) { return p.threshold < 0 ? black : code_heat(p.threshold); });
+}
+
+Image difference_picture(const FrameOutcome& outcome) {
+  return paint(outcome, [](const hw::PixelRecord& p) { return p.difference < 0 ? black : code_heat(p.difference); });
+}
+
+Image cycles_picture(const FrameOutcome& outcome) {
+  return paint(outcome, [](const hw::PixelRecord& p) { return p.cycles == 0 ? black : cycles_heat(p.cycles); });
 }
 
 }  // namespace artu::sim

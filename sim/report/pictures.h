@@ -1,10 +1,10 @@
-// The three pictures of a frame: what it shows, how each pixel came about, what its ray hit.
+// The pictures of a frame, pixel by pixel: what it shows, and what the unit did for each pixel.
 #pragma once
 
 #include <cstdint>
 
 #include "sim/driver/simulator.h"
-#include "sim/report/image.h"
+#include "sim/report/color.h"
 
 namespace artu::sim {
 
@@ -16,11 +16,14 @@ Image decision_picture(const FrameOutcome& outcome);
 /// Dynamic red, static blue, miss grey, black where no ray was traced.
 Image class_picture(const FrameOutcome& outcome);
 
-struct Color {
-  std::uint8_t r, g, b;
-};
+/// code_heat of the threshold, and of the pair's colour difference; black where a pixel has none.
+Image threshold_picture(const FrameOutcome& outcome);
+Image difference_picture(const FrameOutcome& outcome);
 
-/// The legends of the two maps; README.md describes them.
+/// cycles_heat from the dispatch of the pixel's job to its write; black where no ray was traced.
+Image cycles_picture(const FrameOutcome& outcome);
+
+/// The colours of the two maps; README.md describes them.
 Color decision_color(hw::Decision decision, hw::HitClass hit_class);
 Color class_color(hw::HitClass hit_class);
 

@@ -35,10 +35,10 @@ std::string scaling_script(const Variation& variation, const std::vector<Scaling
   lines += fmt::format("data using 0:{}:xtic(1) with linespoints linestyle 7 dashtype 3 title 'contexts filled'",
                        std::size(drawn) + 3);
   return fmt::format(
-      "# What a parameter gains, and what limits it; draw again with: gnuplot {0}\n"
-      "data = '{1}'\n"
+      "# What a parameter gains, and what limits it; draw again with: gnuplot {0}.gnuplot\n"
+      "data = '{0}.dat'\n"
       "set grid ytics linecolor rgb '#e4e4e4'\n"
-      "set xrange [-0.4:{2}.4]\n"
+      "set xrange [-0.4:{1}.4]\n"
       "set style line 1 linecolor rgb '#1f77b4' linewidth 2 pointtype 7\n"
       "set style line 2 linecolor rgb '#2ca02c' linewidth 1.5 pointtype 5\n"
       "set style line 3 linecolor rgb '#ff7f0e' linewidth 1.5 pointtype 9\n"
@@ -50,23 +50,23 @@ std::string scaling_script(const Variation& variation, const std::vector<Scaling
       "if (kind eq 'svg') {{ set terminal svg size 720,720 font 'sans-serif,12' background 'white' }} \\\n"
       "else {{ set terminal pngcairo size 720,720 font 'Sans,11' }}\n"
       "set output 'scaling.' . kind\n"
-      "set multiplot layout 2,1 title {3} noenhanced\n"
+      "set multiplot layout 2,1 title {2} noenhanced\n"
       "unset key\n"
       "set ylabel 'speed-up'\n"
-      "set yrange [0:{7:.4g}]\n"
+      "set yrange [0:{6:.4g}]\n"
       "plot data using 0:2:xtic(1) with linespoints linestyle 1, \\\n"
-      "     data using 0:2:{4} with labels font ',9' offset 0,0.9 noenhanced\n"
+      "     data using 0:2:{3} with labels font ',9' offset 0,0.9 noenhanced\n"
       "set key below\n"
-      "set xlabel {5} noenhanced\n"
+      "set xlabel {4} noenhanced\n"
       "set ylabel 'demand, % of what there is'\n"
       "set yrange [0:105]\n"
-      "plot {6}\n"
+      "plot {5}\n"
       "unset xlabel\n"
       "unset multiplot\n"
       "unset output\n"
       "}}\n",
-      scaling_script_file, scaling_data_file, rows.size() - 1, gnuplot_literal(title), std::size(drawn) + 4,
-      gnuplot_literal(variation.parameter), lines, 1.15 * best);
+      scaling_plot, rows.size() - 1, gnuplot_literal(title), std::size(drawn) + 4, gnuplot_literal(variation.parameter),
+      lines, 1.15 * best);
 }
 
 }  // namespace artu::sim

@@ -39,7 +39,6 @@ std::string scaling_csv(const Variation& variation, const std::vector<ScalingRow
 std::string scaling_data(const std::vector<ScalingRow>& rows);
 std::string scaling_script(const Variation& variation, const std::vector<ScalingRow>& rows, const std::string& title);
 
-inline constexpr const char* scaling_data_file = "scaling.dat";
-inline constexpr const char* scaling_script_file = "scaling.gnuplot";
+inline constexpr const char* scaling_plot = "scaling";  // the name of its files
 
 }  // namespace artu::sim

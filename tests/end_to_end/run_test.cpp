@@ -255,7 +255,11 @@ TEST_F(RunTest, DiffMeasures) {
   const std::string same = fine({"diff", "a/frame_0000.png", "a/frame_0000.png"}).out;
   EXPECT_THAT(same, HasSubstr("infinite"));
   EXPECT_THAT(same, HasSubstr("1.000000"));
-  EXPECT_THAT(fine({"diff", "a/frame_0000.png", "a/decision_0000.png"}).out, HasSubstr(" dB"));
+  fine({"run", "tiny.obj", "--size", "32x24", "--inject-fault", "shading:7", "-o", "c"});
+  const std::string other = fine({"diff", "a/frame_0000.png", "c/frame_0000.png"}).out;
+  EXPECT_THAT(other, HasSubstr(" dB"));
+  EXPECT_THAT(same, HasSubstr("FLIP                0.000000"));
+  EXPECT_THAT(other, ::testing::Not(HasSubstr("FLIP                0.000000")));
   EXPECT_THAT(fine({"diff", "a/frame_0000.png", "b/frame_0000.png"}).out, HasSubstr("SSIM"));
 }
 

@@ -134,6 +134,14 @@ TEST(DramController, AReadOfALineThatWaitsToBeWrittenIsAnsweredFromTheQueue) {
   EXPECT_EQ(m.count("forwarded"), 1u);
 }
 
+TEST(DramController, ReadClocksAreTheReadsLatencies) {
+  Memory m(config_of());
+  m.read(10, m.at(0, 0, 0), 1).write(300, m.at(0, 3, 0), 2).read(301, m.at(0, 3, 0), 3).read(900, m.at(0, 3, 1), 4);
+  m.run();
+  // No row open: t_rcd, t_cl, data.  From the queue: one clock.  The row that the write opened: t_cl, data.
+  EXPECT_EQ(m.count("read_clocks"), (29 + 28 + burst) + 1 + (28 + burst));
+}
+
 TEST(DramController, AStreamGetsThePeakLessTheRefresh) {
   for (RefreshPolicy policy : {RefreshPolicy::all_bank, RefreshPolicy::per_bank}) {
     DramConfig config = config_of();

@@ -37,6 +37,28 @@ TEST(Unit, SeesWhatIsThere) {
   EXPECT_LT(t, 8.2f);
 }
 
+TEST(Unit, OfEveryTracedPixelTheCyclesAreRecorded) {
+  TinyUnit event;
+  const FrameResult result = event.run();
+  RunMode mode;
+  mode.clocked = true;
+  TinyUnit clocked(21, 13, mode);
+  clocked.run();
+  int interpolated = 0;
+  for (std::size_t i = 0; i < event.records.size(); ++i) {
+    const PixelRecord& record = event.records[i];
+    if (record.decision == Decision::interpolated) {
+      EXPECT_EQ(record.cycles, 0u);
+      ++interpolated;
+    } else {
+      EXPECT_GT(record.cycles, 20u) << "at least the ray's set-up";
+      EXPECT_LT(record.cycles, result.cycles);
+    }
+    EXPECT_EQ(record.cycles, clocked.records[i].cycles);
+  }
+  EXPECT_GT(interpolated, 0);
+}
+
 TEST(Unit, FramesAreIndependentOfTheFramesBefore) {
   TinyUnit u;
   const FrameResult first = u.run();

@@ -13,6 +13,7 @@
 #include "sim/precision/plot.h"
 #include "sim/precision/report.h"
 #include "sim/precision/sweep.h"
+#include "sim/report/heat.h"
 #include "traces/error.h"
 #include "traces/trace.h"
 

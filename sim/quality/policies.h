@@ -1,0 +1,23 @@
+// The policies that `artu quality` holds against each other: the one place that says what a name means.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace artu::sim {
+
+struct Policy {
+  std::string name;
+  std::vector<std::string> assignments;  // as of --set; they go over those of the command line
+};
+
+/// In the order in which they are documented.
+const std::vector<Policy>& all_policies();
+
+/// The one that the others' gain is counted from.
+inline constexpr const char* plain_policy = "fixed";
+
+/// Names between commas.  Throws InputError.
+std::vector<Policy> parse_policies(const std::string& text);
+
+}  // namespace artu::sim
