@@ -4,17 +4,20 @@
 
 #include <algorithm>
 
+#include "hw/selective/policy.h"
 #include "traces/error.h"
 
 namespace artu::sim {
 
 const std::vector<Policy>& all_policies() {
-  static const std::vector<Policy> policies = {
-      {plain_policy, {"selective.adaptive=false"}},
-      {"step", {"selective.adaptive=true", "selective.magnitude=fixed"}},
-      {"proportional", {"selective.adaptive=true", "selective.magnitude=proportional"}},
-      {"progressive", {"selective.adaptive=true", "selective.magnitude=progressive"}},
-  };
+  static const std::vector<Policy> policies = [] {
+    std::vector<Policy> all;
+    for (const char* name : hw::policy_names()) {
+      all.push_back({name, {fmt::format("selective.policy={}", name)}});
+    }
+    std::stable_partition(all.begin(), all.end(), [](const Policy& policy) { return policy.name == plain_policy; });
+    return all;
+  }();
   return policies;
 }
 

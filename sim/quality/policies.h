@@ -1,4 +1,4 @@
-// The policies that `artu quality` holds against each other: the one place that says what a name means.
+// The policies that `artu quality` holds against each other: all that the unit has (hw/selective/policy.h).
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ struct Policy {
   std::vector<std::string> assignments;  // as of --set; they go over those of the command line
 };
 
-/// In the order in which they are documented.
+/// The plain one first.
 const std::vector<Policy>& all_policies();
 
 /// The one that the others' gain is counted from.

@@ -78,7 +78,7 @@ QualityRow Sweep::row_of(const QualityPoint& point) {
   row.policy = point.policy;
   row.reference = point.reference;
   row.shown = point.shown;
-  row.attribution.emplace(plan_.worst);
+  row.attribution.emplace(plan_.worst, point.unit.selective.passes == hw::Passes::average);
   simulate(row, point.unit, [&](const FrameOutcome& outcome, std::size_t i) {
     row.errors.add(full_[i], frame_picture(outcome));
     row.attribution->add(full_[i], outcome);

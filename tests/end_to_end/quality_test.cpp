@@ -40,15 +40,15 @@ class QualityTest : public ProgramTest {
 
 TEST_F(QualityTest, EveryPointIsARunOfItsOwn) {
   const Finished quality = fine({"quality", "tiny.obj", "--size", "48x32", "--frames", "0:2", "--references", "0,40",
-                                 "--policies", "fixed,proportional", "-o", "out"});
+                                 "--policies", "fixed,attention", "-o", "out"});
   EXPECT_THAT(quality.out, HasSubstr("At equal work"));
   EXPECT_EQ(quality.out.find(read("out/quality.txt")), 0u);
   const auto rows = csv("out/quality.csv");
   ASSERT_EQ(rows.size(), 7u);
   std::vector<std::string> policies;
   for (const auto& row : rows) policies.push_back(row.at("policy") + row.at("reference"));
-  EXPECT_THAT(policies, ElementsAre("full", "low-resolution", "checkerboard", "fixed0", "fixed40", "proportional0",
-                                    "proportional40"));
+  EXPECT_THAT(policies, ElementsAre("full", "low-resolution", "checkerboard", "fixed0", "fixed40", "attention0",
+                                    "attention40"));
   EXPECT_EQ(rows[0].at("psnr_all"), "inf");
   EXPECT_EQ(rows[0].at("traced_share"), "1");
   EXPECT_EQ(rows[1].at("traced_share"), "0.25");
@@ -131,7 +131,7 @@ TEST_F(QualityTest, BadOptionsAreRefused) {
   };
   EXPECT_THAT(bad({"--references", "4,,8"}), HasSubstr("--references: \"\" is no threshold"));
   EXPECT_THAT(bad({"--references", "256"}), HasSubstr("0 ... 255"));
-  EXPECT_THAT(bad({"--policies", "best"}), HasSubstr("of fixed, step, proportional, progressive"));
+  EXPECT_THAT(bad({"--policies", "best"}), HasSubstr("of fixed, attention, contrast, decisions"));
   EXPECT_THAT(bad({"--shares", "0"}), HasSubstr("--shares"));
   EXPECT_THAT(bad({"--shares", "101"}), HasSubstr("--shares"));
   EXPECT_THAT(bad({"--pictures", "x"}), HasSubstr("is no picture; of frame, full, decision"));

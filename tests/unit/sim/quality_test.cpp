@@ -86,8 +86,8 @@ TEST(Quality, WhatWasNotSimulatedIsADash) {
 
 TEST(Policies, AreNamedBetweenCommas) {
   EXPECT_EQ(all_policies()[0].name, plain_policy);
-  ASSERT_EQ(parse_policies("proportional,fixed,proportional").size(), 2u);
-  EXPECT_EQ(parse_policies("proportional,fixed")[1].name, "fixed");
+  ASSERT_EQ(parse_policies("attention,fixed,attention").size(), 2u);
+  EXPECT_EQ(parse_policies("attention,fixed")[1].name, "fixed");
   EXPECT_THROW(parse_policies("fixed,"), InputError);
   EXPECT_THROW(parse_policies("best"), InputError);
 }
