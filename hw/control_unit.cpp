@@ -74,6 +74,7 @@ std::uint64_t ControlUnit::pixels_of(std::uint32_t pass) const {
 
 /// Or the first one after it that has a pixel; after the last one the frame is written back.
 void ControlUnit::begin_pass(std::uint32_t pass, Cycle now) {
+  if (overlap_ && pass == 0 && begin_all_passes(now)) return;
   while (pass < plan_.passes() && pixels_of(pass) == 0) ++pass;
   pass_ = pass;
   if (pass == plan_.passes()) {
@@ -94,6 +95,20 @@ void ControlUnit::begin_pass(std::uint32_t pass, Cycle now) {
   ports_.pass->push({pixels_of(pass)});
   (pass == 0 ? ports_.first : ports_.extract)
       ->push({static_cast<std::uint8_t>(pass), static_cast<std::uint8_t>(plan_.stride())});
+}
+
+/// With overlap; false if there are no candidates, so that there is nothing to overlap.
+bool ControlUnit::begin_all_passes(Cycle now) {
+  const FrameDescriptor& frame = registers_.descriptor;
+  const std::uint64_t pixels = std::uint64_t{frame.width} * frame.height, sampling = pixels_of(0);
+  if (pixels == sampling) return false;
+  pass_ = plan_.passes() - 1;
+  step_ = Step::pass;
+  enter(phase_first, now);
+  ports_.pass->push({pixels, sampling});
+  ports_.first->push({0, static_cast<std::uint8_t>(plan_.stride())});
+  ports_.extract->push({1, static_cast<std::uint8_t>(plan_.stride()), static_cast<std::uint8_t>(pass_)});
+  return true;
 }
 
 void ControlUnit::begin_flush(Cycle now) {
@@ -149,8 +164,13 @@ Activity ControlUnit::tick(Cycle now) {
       return {State::busy, now + 1};
     case Step::pass:
       if (ports_.written->can_pop()) {
+        const bool sampling_alone = overlap_ && phase_ == phase_first && pass_ != 0;
         ports_.written->pop();
-        begin_pass(pass_ + 1, now);
+        if (sampling_alone) {
+          enter(phase_selective, now);
+        } else {
+          begin_pass(pass_ + 1, now);
+        }
       } else if (!built) {
         return {State::stall_in};
       }

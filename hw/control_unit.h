@@ -4,8 +4,10 @@
 // Out: commands to the tree builder, the first rendering unit, the candidate-pixel extractor, the frame writer and
 //      the L2; the frame registers.
 // A pass begins when all pixels of the one before are in memory: that is how the hazards between passes are resolved.
-// With `overlap` the first pass begins with the build: rays that need the dynamic tree wait in traversal, and the
-// control unit tells the cores when it is there.  The write-back waits for the build; what it waits is counted as
+// With `selective.overlap` all passes begin at once: the candidate-pixel extractor knows what is finished.  The phase
+// is `first` until the last sampling pixel has come to the frame writer, and `selective` from then on. With
+// `tree_builder.overlap` the first pass begins with the build: rays that need the dynamic tree wait in traversal, and
+// the control unit tells the cores when it is there.  The write-back waits for the build; what it waits is counted as
 // `build`. Not started: building where there is no dynamic geometry or it has not moved; passes without pixels.
 #pragma once
 
@@ -28,6 +30,7 @@ class ControlUnit : public Block {
       : Block(name, domain),
         plan_(selective),
         tile_(selective.tile),
+        overlap_(selective.overlap),
         shading_(shading),
         registers_(registers),
         image_(image) {}
@@ -65,10 +68,12 @@ class ControlUnit : public Block {
   bool collect_flushed();
   void enter(Phase phase, Cycle now);
   void begin_pass(std::uint32_t pass, Cycle now);
+  bool begin_all_passes(Cycle now);
   std::uint64_t pixels_of(std::uint32_t pass) const;
 
   const PassPlan plan_;
   const std::uint32_t tile_;
+  const bool overlap_;
   const ShadingConfig shading_;
   FrameRegisters& registers_;
   const MemoryImage& image_;

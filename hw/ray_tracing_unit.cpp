@@ -37,7 +37,7 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
       threshold_adjuster("threshold_adjuster", clock, config.selective),
       render_executor("render_executor", clock, config.selective.metric, registers_),
       dispatcher("dispatcher", clock, registers_, config.core.dispatch, config.selective.tile),
-      frame_writer("frame_writer", clock, registers_, image, config.memory.write_combining),
+      frame_writer("frame_writer", clock, config.selective, registers_, image, config.memory.write_combining),
       tree_builder("tree_builder", clock, config.tree_builder, registers_),
       interconnect("interconnect", clock),
       main_memory(make_memory ? make_memory(dram_clock)
@@ -56,6 +56,8 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
       adjusted_("adjusted", 2 + ThresholdAdjuster::latency(config.selective),
                 ThresholdAdjuster::latency(config.selective)),
       interpolated_("interpolated", job_depth),
+      visible_("visible", 4),
+      finished_("finished", 4),
       pixel_reads_("pixel_reads", 4, 1, config.selective.pixel_cache.hit_latency),
       pixel_misses_("pixel_misses", config.selective.pixel_cache.mshrs, config.memory.interconnect_latency,
                     config.memory.interconnect_latency),
@@ -76,6 +78,7 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
   bind_selective();
   bind_cores();
   bind_control();
+  if (config.selective.overlap) bind_overlap();
   interconnect.flag_channels();
   frame_writer.flag_sources();
   inject(fault);
@@ -179,6 +182,17 @@ void RayTracingUnit::bind_selective() {
   }
 }
 
+/// Passes that overlap: what the L2 has of the frame goes to the pixel cache, which forgets it, and to the scoreboard.
+void RayTracingUnit::bind_overlap() {
+  visible_.bind(frame_writer, pixel_cache);
+  finished_.bind(pixel_cache, candidate_pixel_extractor);
+  frame_writer.bind_visible(visible_);
+  pixel_cache.bind_written(visible_, finished_);
+  candidate_pixel_extractor.bind_finished(finished_);
+  channels_.push_back(&visible_);
+  channels_.push_back(&finished_);
+}
+
 void RayTracingUnit::bind_cores() {
   dispatcher.add_source(sampling_jobs_);
   dispatcher.add_source(traced_jobs_);
@@ -223,7 +237,7 @@ void RayTracingUnit::bind_control() {
   first_rendering_unit.takes_part_in(phase_first);
   for (Block* block : std::initializer_list<Block*>{&pixel_cache, &candidate_pixel_extractor, &collision_counter,
                                                     &threshold_adjuster, &render_executor}) {
-    block->takes_part_in(phase_selective);
+    block->takes_part_in(config_.selective.overlap ? phase_first | phase_selective : phase_selective);
   }
   dispatcher.takes_part_in(phase_first | phase_selective);
   frame_writer.takes_part_in(phase_first | phase_selective);

@@ -55,6 +55,7 @@ class RayTracingUnit : public sc_core::sc_module {
   Block& below_l2();
   void bind_memory();
   void bind_selective();
+  void bind_overlap();
   void bind_cores();
   void bind_control();
   void inject(const Fault& fault);
@@ -97,6 +98,7 @@ class RayTracingUnit : public sc_core::sc_module {
   Fifo<PixelJob> sampling_jobs_, traced_jobs_;
   Fifo<Candidate> extracted_, counted_, adjusted_;
   Fifo<PixelToken> interpolated_;
+  Fifo<LineWritten> visible_, finished_;  // with overlap
   std::vector<std::unique_ptr<Fifo<PixelJob>>> core_jobs_;
   std::vector<std::unique_ptr<Fifo<PixelToken>>> core_pixels_;
   std::vector<std::unique_ptr<Fifo<TreeBuilt>>> tree_built_;  // with overlap

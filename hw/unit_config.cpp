@@ -82,6 +82,8 @@ void SelectiveConfig::visit(ParameterVisitor& v) {
   v.integer("stride", stride, {2, 8, true}, "pixels", "distance of the sampling pixels; at most `tile`");
   v.choice("passes", passes, {"horizontal-vertical", "average"},
            "what lies amid four samples is compared with the pixels above and below, or with all four neighbours");
+  v.flag("overlap", overlap,
+         "a pass begins where all that it looks at is finished, while the one before goes on elsewhere");
   v.choice("metric", metric, {"max-channel", "sum", "luma"},
            "difference of two colours: of the channel that differs most, of all three, or of the brightness");
   v.choice("policy", policy, policy_names(), "what sets a candidate's threshold");

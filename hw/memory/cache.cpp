@@ -27,7 +27,7 @@ void Cache::invalidate() { std::fill(lines_.begin(), lines_.end(), Line{}); }
 void Cache::reset() {
   invalidate();
   for (Mshr& mshr : mshrs_) {
-    mshr.filled = mshr.dirty = false;
+    mshr.filled = mshr.dirty = mshr.stale = false;
     mshr.targets.clear();
   }
   std::fill(mshr_lines_.begin(), mshr_lines_.end(), 0);
@@ -39,7 +39,7 @@ void Cache::reset() {
   std::fill(blocked_at_.begin(), blocked_at_.end(), never);
   replacement_.reset();
   flushing_ = false;
-  hits_ = misses_ = merged_ = fills_ = write_backs_ = reads_ = writes_ = 0;
+  hits_ = misses_ = merged_ = fills_ = write_backs_ = reads_ = writes_ = invalidations_ = 0;
 }
 
 std::size_t Cache::set_of(Address line) const {
@@ -79,6 +79,22 @@ bool Cache::install(Address line, bool dirty) {
   return true;
 }
 
+/// (0) A line that was written below, before anything is looked up in this cycle.
+bool Cache::forget_written() {
+  if (!written_->can_pop() || !forgotten_->can_push()) return false;
+  const Address address = written_->front().line;
+  if (Line* line = find(address)) {
+    *line = {};
+    ++invalidations_;
+    ++changes_;
+  }
+  const std::size_t present = mshr_of(address);
+  if (present != mshrs_.size() && !mshrs_[present].filled) mshrs_[present].stale = true;
+  forgotten_->push(written_->front());
+  written_->pop();
+  return true;
+}
+
 /// (1) A line, or the acknowledgement of a write-back, from below.
 bool Cache::accept_fill() {
   const std::uint32_t tag = below_->response.front().tag;
@@ -88,7 +104,7 @@ bool Cache::accept_fill() {
     return true;
   }
   Mshr& mshr = mshrs_[tag];
-  if (!install(mshr_lines_[tag], mshr.dirty)) return false;
+  if (!mshr.stale && !install(mshr_lines_[tag], mshr.dirty)) return false;
   below_->response.pop();
   ++fills_;
   mshr.filled = true;
@@ -105,7 +121,7 @@ bool Cache::answer_target() {
   if (!response.can_push()) return false;
   response.push({target.tag, target.source});
   if (++mshr.answered == mshr.targets.size()) {
-    mshr.filled = mshr.dirty = false;
+    mshr.filled = mshr.dirty = mshr.stale = false;
     mshr.targets.clear();
     mshr_lines_[filled_[filled_head_]] = 0;
     ++changes_;
@@ -124,7 +140,7 @@ bool Cache::miss(std::size_t client, const MemoryRequest& request) {
   if (present != mshrs_.size()) {
     Mshr& mshr = mshrs_[present];
     // A filled one is being emptied: its line may already be gone again, so wait for it to be free.
-    if (mshr.filled || mshr.targets.size() == config_.targets) {
+    if (mshr.filled || mshr.stale || mshr.targets.size() == config_.targets) {
       blocked_at_[client] = changes_;
       return false;
     }
@@ -199,7 +215,8 @@ bool Cache::flush_step() {
 }
 
 Activity Cache::tick(Cycle now) {
-  bool moved = below_->response.can_pop() && accept_fill();
+  bool moved = written_ != nullptr && forget_written();
+  moved |= below_->response.can_pop() && accept_fill();
   bool blocked_out = false, blocked_mem = false;
   if (filled_head_ != filled_.size()) {
     if (answer_target()) {
@@ -231,6 +248,7 @@ Activity Cache::tick(Cycle now) {
 /// Work that the next cycle could do without anything arriving.
 bool Cache::anything_left() const {
   if (filled_head_ != filled_.size() || flushing_ || below_->response.can_pop()) return true;
+  if (written_ != nullptr && written_->can_pop()) return true;
   for (const MemoryLink* client : clients_) {
     if (client->request.can_pop()) return true;
   }
@@ -258,6 +276,9 @@ void Cache::report(Statistics& out) const {
   out.push_back({block, "merged_misses", merged_, "", "misses on a line that was already on its way"});
   out.push_back({block, "fills", fills_, "lines", "lines fetched from below"});
   out.push_back({block, "write_backs", write_backs_, "lines", "dirty lines written to below"});
+  if (written_ != nullptr) {
+    out.push_back({block, "invalidations", invalidations_, "lines", "lines forgotten since they were written below"});
+  }
 }
 
 std::string Cache::describe() const {

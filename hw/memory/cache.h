@@ -20,6 +20,12 @@ namespace artu::hw {
 
 struct CacheCommand {};
 
+/// Bytes of a line that another block has written below.
+struct LineWritten {
+  Address line = 0;
+  std::uint64_t bytes = 0;
+};
+
 class Cache : public Block {
  public:
   /// No more fills and write-backs are outstanding than `below` has room for responses, so that the memory below can
@@ -37,6 +43,13 @@ class Cache : public Block {
   void bind_flush(Fifo<CacheCommand>& flush, Fifo<CacheCommand>& flushed) {
     flush_ = &flush;
     flushed_ = &flushed;
+  }
+
+  /// Optional: a line that was written below is forgotten, one a cycle, and then handed on: who gets it from there may
+  /// ask for the line again.  One that is on its way is answered to those who wait for it, and not kept.
+  void bind_written(Fifo<LineWritten>& written, Fifo<LineWritten>& forgotten) {
+    written_ = &written;
+    forgotten_ = &forgotten;
   }
 
   /// Forgets all lines (none may be dirty); for a client that knows that memory has changed.
@@ -63,11 +76,13 @@ class Cache : public Block {
   };
   struct Mshr {
     bool filled = false, dirty = false;
+    bool stale = false;  // written below after it was asked for
     std::uint32_t answered = 0;
     std::vector<Target> targets;
   };
 
   Activity tick(Cycle now) override;
+  bool forget_written();
   bool accept_fill();
   bool answer_target();
   bool serve(std::size_t client, bool& blocked_out);
@@ -87,6 +102,8 @@ class Cache : public Block {
   MemoryLink* below_ = nullptr;
   Fifo<CacheCommand>* flush_ = nullptr;
   Fifo<CacheCommand>* flushed_ = nullptr;
+  Fifo<LineWritten>* written_ = nullptr;
+  Fifo<LineWritten>* forgotten_ = nullptr;
 
   std::vector<Line> lines_;  // sets_ times ways
   Replacement replacement_;
@@ -103,6 +120,7 @@ class Cache : public Block {
   std::size_t flush_at_ = 0;
   std::uint32_t outstanding_writes_ = 0;
   std::uint64_t hits_ = 0, misses_ = 0, merged_ = 0, fills_ = 0, write_backs_ = 0, reads_ = 0, writes_ = 0;
+  std::uint64_t invalidations_ = 0;
 };
 
 }  // namespace artu::hw

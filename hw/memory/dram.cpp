@@ -75,7 +75,11 @@ Activity Dram::tick(Cycle now) {
     if (!blocked || !channels_[i].has_answer(now)) next = std::min(next, channels_[i].next_answer());
   }
   if (can_accept()) next = now + 1;
-  if (next != never) return {blocked && !moved ? State::stall_out : State::busy, std::max(next, now + 1)};
+  if (next != never) {
+    Activity activity(blocked && !moved ? State::stall_out : State::busy, std::max(next, now + 1));
+    if (blocked) activity.after = State::stall_out;  // until there is room, whatever else moved in this cycle
+    return activity;
+  }
   if (blocked) return {State::stall_out};
   return moved ? Activity::once(State::busy, State::stall_in) : Activity(State::stall_in);
 }

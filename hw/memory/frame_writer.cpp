@@ -4,9 +4,14 @@
 
 namespace artu::hw {
 
-FrameWriter::FrameWriter(sc_core::sc_module_name name, ClockDomain& domain, const FrameRegisters& registers,
-                         MemoryImage& image, std::uint32_t entries)
-    : Block(name, domain), registers_(registers), image_(image), entries_(entries) {}
+FrameWriter::FrameWriter(sc_core::sc_module_name name, ClockDomain& domain, const SelectiveConfig& selective,
+                         const FrameRegisters& registers, MemoryImage& image, std::uint32_t entries)
+    : Block(name, domain),
+      plan_(selective),
+      tile_(selective.tile),
+      registers_(registers),
+      image_(image),
+      lines_(entries) {}
 
 void FrameWriter::flag_sources() {
   waiting_.assign(sources_.size() / 64 + 1, 0);
@@ -16,49 +21,103 @@ void FrameWriter::flag_sources() {
 }
 
 void FrameWriter::reset() {
-  std::fill(entries_.begin(), entries_.end(), Entry{});
+  lines_.reset();
   arbiter_.reset();
-  clock_ = expected_ = seen_ = pixels_ = line_writes_ = 0;
+  pass_size_ = {};
+  seen_ = pixels_ = line_writes_ = sampling_left_ = 0;
+  sampling_told_ = true;
   unacknowledged_ = 0;
   active_ = false;
+  under_way_.assign(visible_ == nullptr ? 0 : most_writes, {});
+  free_tags_.clear();
+  for (std::uint32_t tag = 0; tag < under_way_.size(); ++tag) free_tags_.push_back(tag);
 }
 
 bool FrameWriter::evict(Entry& entry) {
+  if (visible_ != nullptr && free_tags_.empty()) return false;
   if (!memory_->request.can_push()) return false;
-  memory_->request.push({entry.line, entry.bytes, 0, 0});
+  std::uint32_t tag = 0;
+  if (visible_ != nullptr) {
+    tag = free_tags_.back();
+    free_tags_.pop_back();
+    under_way_[tag] = {entry.line, entry.announced};
+  }
+  memory_->request.push({entry.line, entry.bytes, tag, 0});
   entry.bytes = 0;
+  evicted_ = true;
   ++unacknowledged_;
   ++line_writes_;
   return true;
 }
 
-/// Whether the line has an entry, or gets one; the oldest entry goes where none is free.
-bool FrameWriter::reserve(Address line) {
-  Entry* place = nullptr;
-  for (Entry& entry : entries_) {
-    if (entry.bytes != 0 && entry.line == line) return true;
-    if (entry.bytes == 0) place = &entry;
+/// The memory has a line: with overlap those who read it are told.
+bool FrameWriter::acknowledge() {
+  if (visible_ != nullptr) {
+    const std::uint32_t tag = memory_->response.front().tag;
+    if (under_way_[tag].bytes != 0) {
+      if (!visible_->can_push()) return false;
+      visible_->push(under_way_[tag]);
+    }
+    free_tags_.push_back(tag);
   }
-  if (place == nullptr) {
-    place = &*std::min_element(entries_.begin(), entries_.end(),
-                               [](const Entry& a, const Entry& b) { return a.age < b.age; });
-    if (!evict(*place)) return false;
-  }
+  memory_->response.pop();
+  --unacknowledged_;
   return true;
 }
 
-void FrameWriter::combine(Address address, std::uint64_t bytes) {
-  const Address line = line_of(address);
-  const std::uint64_t mask = bytes << (address - line);
-  Entry* free = nullptr;
-  for (Entry& entry : entries_) {
-    if (entry.bytes != 0 && entry.line == line) {
-      entry.bytes |= mask;
-      return;
-    }
-    if (entry.bytes == 0) free = &entry;
+/// Whether the line has an entry, or can get one; the oldest entry goes where none is free.
+bool FrameWriter::reserve(Address line) { return lines_.place_for(line) != nullptr || evict(lines_.oldest()); }
+
+std::uint32_t FrameWriter::last_pass() const {
+  const FrameDescriptor& frame = registers_.descriptor;
+  std::uint32_t pass = plan_.passes() - 1;
+  while (pass != 0 && plan_.walk(pass, frame.width, frame.height, tile_).done()) --pass;
+  return pass;
+}
+
+/// Bytes in the line of all pixels of the pixel's pass that are in its row and tile as well; `bytes` a pixel.
+std::uint64_t FrameWriter::expected_in(const PixelToken& pixel, std::uint32_t pass, std::uint32_t bytes) const {
+  const FrameDescriptor& frame = registers_.descriptor;
+  const std::uint32_t pixels = static_cast<std::uint32_t>(line_bytes) / bytes;
+  const std::uint32_t line_begin = pixel.x / pixels * pixels, tile_begin = pixel.x / tile_ * tile_;
+  const std::uint32_t end = std::min({line_begin + pixels, tile_begin + tile_, frame.width});
+  const Pass grid = plan_.pass(pass);
+  std::uint64_t mask = 0;
+  for (std::uint32_t x = std::max(line_begin, tile_begin) + grid.x0; x < end; x += grid.dx) {
+    mask |= (bytes == 4 ? std::uint64_t{0xf} : std::uint64_t{1}) << ((x - line_begin) * bytes);
   }
-  *free = {line, mask, ++clock_};
+  return mask;
+}
+
+/// With overlap: which bytes are to be told of, and whether the line is complete.
+void FrameWriter::note(const PixelToken& pixel, Entry& entry, std::uint64_t bytes, std::uint32_t bytes_a_pixel) {
+  const std::uint32_t pass = plan_.pass_of(pixel.x, pixel.y);
+  if (pass != last_pass_) entry.announced |= bytes;
+  const std::uint64_t expected = expected_in(pixel, pass, bytes_a_pixel);
+  entry.complete |= (entry.bytes & expected) == expected;
+}
+
+/// Puts the pixel into the entries of its two lines; false if there is no room.
+bool FrameWriter::combine(const PixelToken& pixel, Address color, Address hit_class, Cycle now) {
+  const Address color_line = line_of(color), class_line = line_of(hit_class);
+  const std::uint64_t color_bytes = std::uint64_t{0xf} << (color - color_line);
+  const std::uint64_t class_bytes = std::uint64_t{1} << (hit_class - class_line);
+  if (visible_ == nullptr) {
+    // Without room for the class the colour stays combined; writing it again in the next cycle changes nothing.
+    if (!reserve(color_line)) return false;
+    lines_.combine(color_line, color_bytes, now);
+    if (!reserve(class_line)) return false;
+    lines_.combine(class_line, class_bytes, now);
+    return true;
+  }
+  // Each is told of once: both or none.
+  while (lines_.missing(color_line, class_line) != 0) {
+    if (!evict(lines_.oldest_but(color_line, class_line))) return false;
+  }
+  note(pixel, lines_.combine(color_line, color_bytes, now), color_bytes, 4);
+  note(pixel, lines_.combine(class_line, class_bytes, now), class_bytes, 1);
+  if (plan_.pass_of(pixel.x, pixel.y) == 0 && sampling_left_ != 0) --sampling_left_;
+  return true;
 }
 
 bool FrameWriter::write(const PixelToken& pixel, Cycle now) {
@@ -66,13 +125,7 @@ bool FrameWriter::write(const PixelToken& pixel, Cycle now) {
   const std::uint64_t index = std::uint64_t{pixel.y} * frame.pitch + pixel.x;
   const Address color = frame.frame_buffer + index * 4;
   const Address hit_class = frame.hit_classes + index;
-  if (!reserve(line_of(color))) return false;
-  combine(color, 0xf);
-  if (!reserve(line_of(hit_class))) {
-    // The colour stays combined; writing it again in the next cycle changes nothing.
-    return false;
-  }
-  combine(hit_class, 0x1);
+  if (!combine(pixel, color, hit_class, now)) return false;
   std::uint8_t* bytes = &image_.at<std::uint8_t>(color);
   bytes[0] = pixel.r;
   bytes[1] = pixel.g;
@@ -93,21 +146,21 @@ bool FrameWriter::write(const PixelToken& pixel, Cycle now) {
 }
 
 Activity FrameWriter::tick(Cycle now) {
-  bool moved = false, blocked = false;
-  if (memory_->response.can_pop()) {
-    memory_->response.pop();
-    --unacknowledged_;
-    moved = true;
-  }
+  bool moved = memory_->response.can_pop() && acknowledge(), blocked = false;
+  evicted_ = false;
   if (!active_ && pass_->can_pop()) {
-    expected_ = pass_->front().pixels;
+    pass_size_ = pass_->front();
     pass_->pop();
     seen_ = 0;
+    sampling_left_ = pass_size_.sampling;
+    sampling_told_ = sampling_left_ == 0;
+    last_pass_ = last_pass();
     active_ = true;
     moved = true;
   }
   const std::size_t chosen =
       arbiter_.pick(waiting_, sources_.size(), [&](std::size_t i) { return sources_[i]->can_pop(); });
+  const bool all_seen = active_ && seen_ == pass_size_.pixels;
   if (chosen != sources_.size()) {
     if (write(sources_[chosen]->front(), now)) {
       sources_[chosen]->pop();
@@ -118,24 +171,45 @@ Activity FrameWriter::tick(Cycle now) {
     } else {
       blocked = true;
     }
-  } else if (active_ && seen_ == expected_) {
+  } else if (all_seen) {
     // End of the pass: everything goes out, one line a cycle.
-    const auto entry = std::find_if(entries_.begin(), entries_.end(), [](const Entry& e) { return e.bytes != 0; });
-    if (entry != entries_.end()) {
-      if (evict(*entry)) {
-        moved = true;
-      } else {
-        blocked = true;
-      }
-    } else if (unacknowledged_ == 0 && done_->can_push()) {
-      done_->push({expected_});
+    if (Entry* entry = lines_.any()) {
+      (evict(*entry) ? moved : blocked) = true;
+    } else if (unacknowledged_ == 0 && sampling_told_ && done_->can_push()) {
+      done_->push(pass_size_);
       active_ = false;
       moved = true;
     }
   }
+  Cycle next = never;
+  if (visible_ != nullptr) {
+    moved |= tell_sampling();
+    moved |= send_due(now, blocked, next);
+  }
   if (moved) return {State::busy, now + 1};
-  if (blocked || (unacknowledged_ != 0 && active_ && seen_ == expected_)) return {State::stall_mem};
-  return {State::stall_in};
+  if (blocked || (unacknowledged_ != 0 && active_ && seen_ == pass_size_.pixels)) return {State::stall_mem, next};
+  return {State::stall_in, next};
+}
+
+/// The last sampling pixel is there.
+bool FrameWriter::tell_sampling() {
+  if (sampling_told_ || sampling_left_ != 0 || !done_->can_push()) return false;
+  done_->push({pass_size_.sampling});
+  sampling_told_ = true;
+  return true;
+}
+
+/// An entry that need not wait any longer goes, where none has gone in this cycle; `next`: when one will be such.
+bool FrameWriter::send_due(Cycle now, bool& blocked, Cycle& next) {
+  if (!evicted_) {
+    if (Entry* entry = lines_.due(now < patience ? 0 : now - patience + 1)) {
+      if (evict(*entry)) return true;
+      blocked = true;
+    }
+  }
+  const Cycle first = lines_.first_touched();
+  if (first != never && first + patience > now) next = first + patience;
+  return false;
 }
 
 void FrameWriter::report(Statistics& out) const {
@@ -144,7 +218,7 @@ void FrameWriter::report(Statistics& out) const {
 }
 
 std::string FrameWriter::describe() const {
-  return std::to_string(seen_) + " of " + std::to_string(expected_) + " pixels of the pass, " +
+  return std::to_string(seen_) + " of " + std::to_string(pass_size_.pixels) + " pixels of the pass, " +
          std::to_string(unacknowledged_) + " writes unacknowledged";
 }
 

@@ -5,6 +5,11 @@
 // Out: line writes; to the control unit `done` when all pixels of the pass are written and acknowledged.
 // Latency: a line is written when its entry is needed (the oldest goes first), or at the end of the pass.
 // Stalls: stall_mem when an entry must go and the request channel is full.
+//
+// With overlap the frame is one pass to it, and what a later pass reads is `visible` when its line is acknowledged.  So
+// that nobody waits for a pixel that is only held back, an entry goes as well, one a cycle, when all pixels of a pass
+// in its line and a tile are there, or when it has not been touched for `patience` cycles.  It keeps which bytes were
+// in the writes under way, at most `most_writes` then.  And `done` is said when all sampling pixels have come, before.
 #pragma once
 
 #include <vector>
@@ -12,7 +17,10 @@
 #include "hw/fabric/memory_port.h"
 #include "hw/fabric/round_robin.h"
 #include "hw/frame_registers.h"
+#include "hw/memory/cache.h"
 #include "hw/memory/image.h"
+#include "hw/memory/write_combiner.h"
+#include "hw/selective/pass_plan.h"
 
 namespace artu::hw {
 
@@ -25,12 +33,16 @@ struct PixelToken {
 
 struct PassSize {
   std::uint64_t pixels = 0;
+  std::uint64_t sampling = 0;  // of them those whose end is told as well; 0: it is not
 };
 
 class FrameWriter : public Block {
  public:
-  FrameWriter(sc_core::sc_module_name name, ClockDomain& domain, const FrameRegisters& registers, MemoryImage& image,
-              std::uint32_t entries);
+  static constexpr Cycle patience = 256;
+  static constexpr std::uint32_t most_writes = 32;
+
+  FrameWriter(sc_core::sc_module_name name, ClockDomain& domain, const SelectiveConfig& selective,
+              const FrameRegisters& registers, MemoryImage& image, std::uint32_t entries);
   void add_source(Fifo<PixelToken>& source) { sources_.push_back(&source); }
   /// After the last source.
   void flag_sources();
@@ -39,6 +51,8 @@ class FrameWriter : public Block {
     pass_ = &pass;
     done_ = &done;
   }
+  /// With overlap.
+  void bind_visible(Fifo<LineWritten>& visible) { visible_ = &visible; }
   /// The pixels' records, for the observer.
   void observe(PixelRecords* records) { records_ = records; }
 
@@ -47,17 +61,21 @@ class FrameWriter : public Block {
   std::string describe() const override;
 
  private:
-  struct Entry {
-    Address line = 0;
-    std::uint64_t bytes = 0;  // 0: free
-    std::uint64_t age = 0;
-  };
+  using Entry = WriteCombiner::Entry;
   Activity tick(Cycle now) override;
+  bool acknowledge();
+  bool tell_sampling();
+  bool send_due(Cycle now, bool& blocked, Cycle& next);
   bool write(const PixelToken& pixel, Cycle now);
   bool reserve(Address line);
   bool evict(Entry& entry);
-  void combine(Address address, std::uint64_t bytes);
+  bool combine(const PixelToken& pixel, Address color, Address hit_class, Cycle now);
+  void note(const PixelToken& pixel, Entry& entry, std::uint64_t bytes, std::uint32_t bytes_a_pixel);
+  std::uint64_t expected_in(const PixelToken& pixel, std::uint32_t pass, std::uint32_t bytes) const;
+  std::uint32_t last_pass() const;
 
+  const PassPlan plan_;
+  const std::uint32_t tile_;
   const FrameRegisters& registers_;
   MemoryImage& image_;
   std::vector<Fifo<PixelToken>*> sources_;
@@ -65,12 +83,17 @@ class FrameWriter : public Block {
   Fifo<PassSize>* pass_ = nullptr;
   Fifo<PassSize>* done_ = nullptr;
   PixelRecords* records_ = nullptr;
-  std::vector<Entry> entries_;
+  Fifo<LineWritten>* visible_ = nullptr;
+  WriteCombiner lines_;
   std::vector<std::uint64_t> waiting_;  // a bit a source
   RoundRobin arbiter_;
-  std::uint64_t clock_ = 0;
-  bool active_ = false;
-  std::uint64_t expected_ = 0, seen_ = 0;
+  bool active_ = false, evicted_ = false;
+  PassSize pass_size_{};
+  std::uint64_t seen_ = 0, sampling_left_ = 0;
+  bool sampling_told_ = true;
+  std::uint32_t last_pass_ = 0;         // that has a pixel
+  std::vector<LineWritten> under_way_;  // by the tag of the write, with overlap
+  std::vector<std::uint32_t> free_tags_;
   std::uint32_t unacknowledged_ = 0;
   std::uint64_t pixels_ = 0, line_writes_ = 0;
 };

@@ -1,6 +1,6 @@
 // Hands pixels to the ray cores.
 //
-// In:  pixels from the first rendering unit and from the render executor (never both at a time).
+// In:  pixels from the first rendering unit and from the render executor (both at a time with overlap).
 // Out: pixels to each core: with `dispatch` first-come round-robin among those that have room, with tiles all pixels of
 //      a tile to the same core, tiles round-robin.
 // Latency 1, initiation interval 1.   Stalls: stall_out when no core, or not the tile's, has room.

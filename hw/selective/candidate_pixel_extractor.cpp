@@ -3,40 +3,74 @@
 namespace artu::hw {
 
 void CandidatePixelExtractor::reset() {
-  active_ = false;
+  lanes_.clear();
   first_ = open_ = fetching_ = 0;
   candidates_ = spans_ = 0;
 }
 
-/// The lines of a row that hold the span and `h` pixels on either side.
-void CandidatePixelExtractor::want_row(Window& window, std::uint32_t y) {
+void CandidatePixelExtractor::begin(const PassCommand& command) {
   const FrameDescriptor& frame = registers_.descriptor;
-  const std::uint32_t begin = window.span.begin - std::min(window.span.begin, pass_.h);
-  const std::uint32_t last_candidate = window.span.end - 1 - (window.span.end - 1 - window.span.begin) % pass_.dx;
-  const std::uint32_t last = std::min(last_candidate + pass_.h, frame.width - 1);
+  for (std::uint32_t number = std::max(command.pass, command.last); number >= command.pass; --number) {
+    const TileWalk walk = plan_.walk(number, frame.width, frame.height, config_.tile);
+    if (!walk.done()) lanes_.push_back({number, plan_.pass(number), walk, never});
+  }
+  if (finished_ != nullptr) scoreboard_.begin(frame);
+  // The pass before has written the frame buffer: what the cache holds of it is old.
+  pixel_cache_.invalidate();
+}
+
+/// What the lane's next span and its neighbours cover.
+Area CandidatePixelExtractor::looked_at(const Lane& lane) const {
+  const FrameDescriptor& frame = registers_.descriptor;
+  const TileWalk::Span span = lane.walk.span();
+  const std::uint32_t h = lane.pass.h, above = lane.pass.compares_columns() ? h : 0;
+  const std::uint32_t last = span.end - 1 - (span.end - 1 - span.begin) % lane.pass.dx;
+  return {span.begin - std::min(span.begin, h), std::min(last + h, frame.width - 1), span.y - above,
+          span.y + above < frame.height ? span.y + above : span.y};
+}
+
+/// The latest pass that can open a span; null if there is none.
+CandidatePixelExtractor::Lane* CandidatePixelExtractor::next_lane() {
+  for (Lane& lane : lanes_) {
+    if (finished_ == nullptr) return &lane;
+    if (lane.blocked_at == scoreboard_.version()) continue;
+    if (scoreboard_.finished_before(lane.number, looked_at(lane))) return &lane;
+    lane.blocked_at = scoreboard_.version();
+  }
+  return nullptr;
+}
+
+/// The lines of a row that hold what is looked at.
+void CandidatePixelExtractor::want_row(Window& window, std::uint32_t left, std::uint32_t right, std::uint32_t y) {
+  const FrameDescriptor& frame = registers_.descriptor;
   const std::uint64_t row = std::uint64_t{y} * frame.pitch;
-  for (Address a = line_of(frame.frame_buffer + (row + begin) * 4); a <= frame.frame_buffer + (row + last) * 4;
+  for (Address a = line_of(frame.frame_buffer + (row + left) * 4); a <= frame.frame_buffer + (row + right) * 4;
        a += line_bytes) {
     window.lines.push_back(a);
   }
-  for (Address a = line_of(frame.hit_classes + row + begin); a <= frame.hit_classes + row + last; a += line_bytes) {
+  for (Address a = line_of(frame.hit_classes + row + left); a <= frame.hit_classes + row + right; a += line_bytes) {
     window.lines.push_back(a);
   }
 }
 
 /// Of the three rows of the neighbours those that earlier passes have finished anything of.
-void CandidatePixelExtractor::open_window() {
+void CandidatePixelExtractor::open_window(Lane& lane) {
   Window& window = window_[open_++ % windows];
-  window.span = walk_.span();
+  const Area area = looked_at(lane);
+  window.number = lane.number;
+  window.pass = lane.pass;
+  window.span = lane.walk.span();
   window.lines.clear();
   window.issued = window.answered = 0;
   const std::uint32_t y = window.span.y;
-  if (pass_.compares_columns()) want_row(window, y - pass_.h);
-  if (pass_.compares_rows()) want_row(window, y);
-  if (pass_.compares_columns() && y + pass_.h < registers_.descriptor.height) want_row(window, y + pass_.h);
+  if (lane.pass.compares_columns()) want_row(window, area.left, area.right, area.top);
+  if (lane.pass.compares_rows()) want_row(window, area.left, area.right, y);
+  if (area.bottom > y) want_row(window, area.left, area.right, area.bottom);
   if (open_ - first_ == 1) x_ = window.span.begin;
-  walk_.next();
   ++spans_;
+  lane.walk.next();
+  lane.blocked_at = never;
+  if (lane.walk.done()) lanes_.erase(lanes_.begin() + (&lane - lanes_.data()));
 }
 
 Neighbour CandidatePixelExtractor::neighbour(std::int64_t x, std::int64_t y) const {
@@ -48,15 +82,17 @@ Neighbour CandidatePixelExtractor::neighbour(std::int64_t x, std::int64_t y) con
   return {true, hit_class, {bytes[0], bytes[1], bytes[2]}};
 }
 
-Candidate CandidatePixelExtractor::candidate(std::uint32_t x, std::uint32_t y) const {
+Candidate CandidatePixelExtractor::candidate(const Window& window, std::uint32_t x) const {
+  const Pass& pass = window.pass;
+  const std::uint32_t y = window.span.y;
   Candidate c;
   c.x = static_cast<std::uint16_t>(x);
   c.y = static_cast<std::uint16_t>(y);
-  c.h = static_cast<std::uint8_t>(pass_.h);
-  c.kind = pass_.kind;
-  c.pass = number_;
-  const unsigned finished = pass_.finished_neighbours();
-  const std::int64_t h = pass_.h;
+  c.h = static_cast<std::uint8_t>(pass.h);
+  c.kind = pass.kind;
+  c.pass = static_cast<std::uint8_t>(window.number);
+  const unsigned finished = pass.finished_neighbours();
+  const std::int64_t h = pass.h;
   for (std::size_t i = 0; i < c.ring.size(); ++i) {
     if ((finished >> i & 1) == 0) continue;
     const auto place = static_cast<std::int64_t>(i < 4 ? i : i + 1);  // of 3 x 3
@@ -67,7 +103,7 @@ Candidate CandidatePixelExtractor::candidate(std::uint32_t x, std::uint32_t y) c
     c.pairs.color[c.pairs.count++] = {c.ring[first].color, c.ring[second].color};
     return true;
   };
-  const bool complete = (!pass_.compares_rows() || compare(3, 4)) && (!pass_.compares_columns() || compare(1, 6));
+  const bool complete = (!pass.compares_rows() || compare(3, 4)) && (!pass.compares_columns() || compare(1, 6));
   if (!complete) c.pairs = {};
   return c;
 }
@@ -80,20 +116,21 @@ Activity CandidatePixelExtractor::tick(Cycle now) {
     memory_->response.pop();
     moved = true;
   }
-  if (!active_ && command_->can_pop()) {
-    number_ = command_->front().pass;
-    command_->pop();
-    const FrameDescriptor& frame = registers_.descriptor;
-    pass_ = plan_.pass(number_);
-    walk_ = plan_.walk(number_, frame.width, frame.height, config_.tile);
-    // The pass before has written the frame buffer: what the cache holds of it is old.
-    pixel_cache_.invalidate();
-    active_ = true;
+  if (finished_ != nullptr && finished_->can_pop()) {
+    scoreboard_.count(finished_->front());
+    finished_->pop();
     moved = true;
   }
-  if (active_ && !walk_.done() && open_ - first_ < windows) {
-    open_window();
+  if (lanes_.empty() && command_->can_pop()) {
+    begin(command_->front());
+    command_->pop();
     moved = true;
+  }
+  if (open_ - first_ < windows) {
+    if (Lane* lane = next_lane()) {
+      open_window(*lane);
+      moved = true;
+    }
   }
   if (fetching_ != open_) {
     Window& window = window_[fetching_ % windows];
@@ -112,18 +149,15 @@ Activity CandidatePixelExtractor::tick(Cycle now) {
     } else if (!out_->can_push()) {
       blocked_out = true;
     } else {
-      out_->push(candidate(x_, window.span.y));
+      out_->push(candidate(window, x_));
       ++candidates_;
       moved = true;
-      x_ += walk_.dx();
+      x_ += window.pass.dx;
       if (x_ >= window.span.end) {
         ++first_;
         if (first_ != open_) x_ = window_[first_ % windows].span.begin;
       }
     }
-  } else if (active_ && walk_.done()) {
-    active_ = false;
-    moved = true;
   }
   if (moved) return {State::busy, now + 1};
   if (blocked_out) return {State::stall_out};
@@ -134,10 +168,16 @@ Activity CandidatePixelExtractor::tick(Cycle now) {
 void CandidatePixelExtractor::report(Statistics& out) const {
   out.push_back({path(), "candidates", candidates_, "pixels", "candidate pixels handed on"});
   out.push_back({path(), "spans", spans_, "", "rows of tiles whose lines were fetched"});
+  if (finished_ != nullptr) {
+    out.push_back(
+        {path(), "scoreboard_bytes", scoreboard_.bytes(), "bytes", "counters of finished pixels, one a tile"});
+  }
 }
 
 std::string CandidatePixelExtractor::describe() const {
-  return "pass " + std::to_string(number_) + ", " + std::to_string(open_ - first_) + " spans open, " +
+  std::string text = "passes";
+  for (const Lane& lane : lanes_) text += " " + std::to_string(lane.number);
+  return (lanes_.empty() ? "no pass" : text) + " to open, " + std::to_string(open_ - first_) + " spans open, " +
          std::to_string(candidates_) + " candidates handed on";
 }
 

@@ -180,6 +180,36 @@ TEST(ControlUnit, PassesWithoutPixelsAreSkippedOfEveryLevel) {
   EXPECT_EQ(c.extract_sink.tokens[1].pass, 7);
 }
 
+TEST(ControlUnit, OverlappingPassesBeginTogether) {
+  SelectiveConfig config = with(4, Passes::average);
+  config.overlap = true;
+  Control c(9, 5, config);
+  // The partner answers once: with it the phase changes, and the frame waits for the second answer.
+  c.bench.run(2000);
+  ASSERT_EQ(c.writer.commands.size(), 1u);
+  EXPECT_EQ(c.writer.commands[0].pixels, 45u);
+  EXPECT_EQ(c.writer.commands[0].sampling, 6u);
+  ASSERT_EQ(c.extract_sink.tokens.size(), 1u);
+  EXPECT_EQ(c.extract_sink.tokens[0].pass, 1);
+  EXPECT_EQ(c.extract_sink.tokens[0].last, 6);
+  EXPECT_EQ(c.extract_sink.cycles, c.first_sink.cycles);
+  EXPECT_EQ(counter(c.control, "cycles_first"), 1 + pass_delay);
+  EXPECT_EQ(c.control.finished_at(), never);
+}
+
+TEST(ControlUnit, WithoutCandidatesThereIsNothingToOverlap) {
+  SelectiveConfig config;
+  config.overlap = true;
+  Control one(1, 1, config);
+  EXPECT_EQ(one.run()[3], 0u);
+  EXPECT_EQ(one.passes(), std::vector<std::uint64_t>{1});
+  EXPECT_EQ(one.writer.commands[0].sampling, 0u);
+  config.enabled = false;
+  Control off(5, 3, config);
+  off.run();
+  EXPECT_EQ(off.passes(), std::vector<std::uint64_t>{15});
+}
+
 TEST(ControlUnit, WithoutSelectiveRenderingThereIsOnePass) {
   Control c(5, 3, false);
   EXPECT_EQ(c.run()[3], 0u);

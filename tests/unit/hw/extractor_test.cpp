@@ -39,6 +39,19 @@ struct Extractor {
     commands.bind(command, extractor);
     out.bind(extractor, sink);
     extractor.bind(commands, out, link);
+    finished.bind(told, extractor);
+    if (config.overlap) extractor.bind_finished(finished);
+  }
+  /// From `at` on: row `y` of the pass is finished, as far as it lies between `left` and `right`.
+  void finish(Cycle at, std::uint32_t pass, std::uint32_t left, std::uint32_t right, std::uint32_t y) {
+    const FrameDescriptor& frame = registers.descriptor;
+    for (std::uint32_t x = left; x < std::min(right, frame.width); ++x) {
+      if (PassPlan(config).pass_of(x, y) != pass) continue;
+      const std::uint64_t index = std::uint64_t{y} * frame.pitch + x;
+      const Address color = frame.frame_buffer + index * 4, hit_class = frame.hit_classes + index;
+      told.push_at(at, {line_of(color), std::uint64_t{0xf} << (color % 64)});
+      told.push_at(at, {line_of(hit_class), std::uint64_t{1} << (hit_class % 64)});
+    }
   }
   void set_class(std::uint32_t x, std::uint32_t y, HitClass hit_class) {
     image.at<HitClass>(registers.descriptor.hit_classes + y * registers.descriptor.pitch + x) = hit_class;
@@ -67,6 +80,8 @@ struct Extractor {
   MemoryLink& below = bench.link("below", 8, 1, 1);
   Fifo<PassCommand>& commands = bench.fifo<PassCommand>("commands", 2);
   Fifo<Candidate>& out = bench.fifo<Candidate>("out", 4);
+  Fifo<LineWritten>& finished = bench.fifo<LineWritten>("finished", 4);
+  Source<LineWritten>& told = bench.block<Source<LineWritten>>("told", finished);
   Cache& cache;
   ScriptedMemory& memory;
   CandidatePixelExtractor& extractor;
@@ -243,6 +258,57 @@ TEST(Extractor, ReadsTheFrameAfreshInEveryPass) {
   ASSERT_EQ(e.sink.tokens.size(), 2u * 16);
   EXPECT_EQ(e.memory.requests.size(), 2u * 4) << "two rows of a colour and a class line, fetched twice";
   EXPECT_EQ(e.sink.cycles[16], e.sink.cycles[0] + 1000);
+}
+
+SelectiveConfig overlapping() {
+  SelectiveConfig config;
+  config.overlap = true;
+  config.tile = 8;
+  return config;
+}
+
+TEST(Extractor, WithOverlapASpanOpensWhenItsTileAndThoseThatItLooksIntoAreFinished) {
+  Extractor e(16, 8, overlapping());
+  e.command.push_at(9, {1, 2, 2});
+  for (std::uint32_t y : {0u, 2u, 4u, 6u}) e.finish(1000, 0, 0, 8, y);
+  for (std::uint32_t y : {0u, 2u, 4u, 6u}) e.finish(2000, 0, 8, 16, y);
+  for (std::uint32_t y : {0u, 2u, 4u, 6u}) e.finish(3000, 1, 0, 8, y);
+  for (std::uint32_t y : {0u, 2u, 4u, 6u}) e.finish(4000, 1, 8, 16, y);
+  e.bench.run(10000);
+  ASSERT_EQ(e.sink.tokens.size(), 16u * 8 - 8 * 4);
+  for (std::size_t i = 0; i < e.sink.tokens.size(); ++i) {
+    const Candidate& c = e.sink.tokens[i];
+    // Both horizontal passes look to the right; the vertical ones of the left tile into the right one, too.
+    EXPECT_GT(e.sink.cycles[i], c.pass == 1 ? 2000u : 4000u) << c.x << ", " << c.y;
+    if (c.pass == 1) {
+      EXPECT_LT(e.sink.cycles[i], 3000u);
+    }
+  }
+}
+
+TEST(Extractor, WithOverlapALaterPassGoesFirstAndEachInTileOrder) {
+  Extractor e(64, 64, overlapping());
+  e.command.push_at(2000, {1, 2, 2});
+  // Everything is finished beforehand: the vertical pass waits for nothing and so goes first.
+  for (std::uint32_t pass : {0u, 1u}) {
+    for (std::uint32_t y = 0; y < 64; y += 2) e.finish(2010, pass, 0, 64, y);
+  }
+  e.bench.run(40000);
+  ASSERT_EQ(e.sink.tokens.size(), 64u * 64 - 32 * 32);
+  for (std::uint8_t pass : {1, 2}) {
+    TileWalk walk = PassPlan(e.config).walk(pass, 64, 64, e.config.tile);
+    std::uint32_t x = walk.span().begin;
+    for (const Candidate& c : e.sink.tokens) {
+      if (c.pass != pass) continue;
+      ASSERT_EQ(c.x, x);
+      ASSERT_EQ(c.y, walk.span().y);
+      x += walk.dx();
+      if (x < walk.span().end) continue;
+      walk.next();
+      if (!walk.done()) x = walk.span().begin;
+    }
+    EXPECT_TRUE(walk.done());
+  }
 }
 
 TEST(Extractor, StallsTellWhatItWaitsFor) {

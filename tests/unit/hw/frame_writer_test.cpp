@@ -13,7 +13,7 @@ constexpr std::uint32_t width = 128, height = 40;
 
 struct Writer {
   explicit Writer(std::uint32_t entries, std::size_t source_count = 1)
-      : writer(bench.block<FrameWriter>("writer", registers, image, entries)),
+      : writer(bench.block<FrameWriter>("writer", selective, registers, image, entries)),
         memory(bench.block<ScriptedMemory>("memory", link, 1, memory_latency)),
         passes(bench.block<Source<PassSize>>("passes", pass)),
         finished(bench.block<Sink<PassSize>>("finished", done)) {
@@ -53,6 +53,7 @@ struct Writer {
   }
 
   Bench bench;
+  const SelectiveConfig selective;
   MemoryImage image;
   FrameRegisters registers;
   PixelRecords records;
