@@ -83,8 +83,9 @@ bool Cache::install(Address line, bool dirty) {
 bool Cache::forget_written() {
   if (!written_->can_pop() || !forgotten_->can_push()) return false;
   const Address address = written_->front().line;
-  if (Line* line = find(address)) {
-    *line = {};
+  const std::size_t set = set_of(address);
+  if (const std::uint32_t way = way_of(set, address); way != config_.ways) {
+    lines_[set * config_.ways + way] = {};
     ++invalidations_;
     ++changes_;
   }
