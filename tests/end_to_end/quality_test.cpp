@@ -47,15 +47,15 @@ TEST_F(QualityTest, EveryPointIsARunOfItsOwn) {
   ASSERT_EQ(rows.size(), 7u);
   std::vector<std::string> policies;
   for (const auto& row : rows) policies.push_back(row.at("policy") + row.at("reference"));
-  EXPECT_THAT(policies, ElementsAre("full", "low-resolution", "checkerboard", "fixed0", "fixed40", "attention0",
-                                    "attention40"));
+  EXPECT_THAT(policies,
+              ElementsAre("full", "low-resolution", "checkerboard", "fixed0", "fixed40", "attention0", "attention40"));
   EXPECT_EQ(rows[0].at("psnr_all"), "inf");
   EXPECT_EQ(rows[0].at("traced_share"), "1");
   EXPECT_EQ(rows[1].at("traced_share"), "0.25");
   EXPECT_EQ(rows[2].at("cycles"), "");
 
   // The same numbers as a run with these settings, and as `artu diff` of its picture.
-  fine({"run", "tiny.obj", "--size", "48x32", "--frames", "0:2", "--set", "selective.adaptive=false", "--set",
+  fine({"run", "tiny.obj", "--size", "48x32", "--frames", "0:2", "--set", "selective.policy=fixed", "--set",
         "selective.reference=40", "--pictures", "frame,full", "-o", "run"});
   const Json totals = Json::parse(read("run/stats.json")).at("totals");
   EXPECT_EQ(rows[4].at("cycles"), totals.at("cycles").dump());
@@ -78,7 +78,9 @@ TEST_F(QualityTest, EveryPointIsARunOfItsOwn) {
     for (const auto& share : csv("out/attribution.csv")) {
       if (share.at("policy") == row.at("policy") && share.at("reference") == row.at("reference")) {
         attributed += std::stoull(share.at("squares"));
-        if (share.at("cause") == "traced") EXPECT_EQ(share.at("squares"), "0");
+        if (share.at("cause") == "traced") {
+          EXPECT_EQ(share.at("squares"), "0");
+        }
       }
     }
     if (!row.at("reference").empty()) EXPECT_EQ(attributed, squares);

@@ -1,7 +1,11 @@
 // Whole frames with every plan of passes: each pixel in its pass and once, laws kept, the same bits in every mode.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 #include "hw/selective/pass_plan.h"
+#include "hw/selective/policy.h"
 #include "unit/hw/tiny_frame.h"
 
 namespace artu::hw::test {
@@ -179,7 +183,9 @@ TEST(SelectiveFrames, PoliciesMetricsAndComparisonsChangeWhatIsTraced) {
   config.adaptive = false;
   const auto without = traced(config);
   config = {};
-  config.policy = 1;  // fixed
+  const auto& names = policy_names();
+  config.policy =
+      static_cast<std::uint32_t>(std::find(names.begin(), names.end(), std::string("fixed")) - names.begin());
   EXPECT_EQ(traced(config), without);
   config = {};
   config.compare = Compare::reference_count;
