@@ -1,5 +1,6 @@
 // The same input gives the same bits and cycles, however the model is run; stalls change cycles and no pixel.
 #include "golden/harness.h"
+#include "hw/selective/policy.h"
 
 namespace artu::golden_tests {
 namespace {
@@ -114,6 +115,11 @@ TEST(Determinism, ManyConfigurationsWithStallsEndAndObeyTheLaws) {
     config.core.contexts = 1 + draw(40);
     config.core.queue_depth = 1 + draw(5);
     config.selective.tile = 4u << draw(4);
+    config.selective.stride = std::min(2u << draw(3), config.selective.tile);
+    config.selective.passes = static_cast<hw::Passes>(draw(2));
+    config.selective.overlap = draw(4) != 0;
+    config.selective.metric = static_cast<hw::Metric>(draw(3));
+    config.selective.policy = draw(static_cast<std::uint32_t>(hw::policy_names().size()));
     const auto cache = [&draw] {
       return hw::CacheConfig{256u << draw(6), 1u << draw(3), 1 + draw(12), 1 + draw(9), 1 + draw(9)};
     };

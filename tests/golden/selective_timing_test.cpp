@@ -41,6 +41,12 @@ TEST_P(SelectiveTiming, RandomStallsAndOrders) {
   }
 }
 
+TEST_P(SelectiveTiming, PassesOneByOne) {
+  hw::UnitConfig changed = config();
+  changed.selective.overlap = false;
+  expect_same_pixels(changed);
+}
+
 TEST_P(SelectiveTiming, OneToEightCores) {
   for (std::uint32_t cores = 1; cores <= 8; ++cores) {
     SCOPED_TRACE(cores);

@@ -66,6 +66,7 @@ struct Control {
   }
   static SelectiveConfig config(bool selective) {
     SelectiveConfig config;
+    config.overlap = false;
     config.enabled = selective;
     return config;
   }
@@ -156,6 +157,7 @@ TEST(ControlUnit, PassesWithoutPixelsAreSkipped) {
 
 SelectiveConfig with(std::uint32_t stride, Passes passes) {
   SelectiveConfig config;
+  config.overlap = false;
   config.stride = stride;
   config.passes = passes;
   return config;

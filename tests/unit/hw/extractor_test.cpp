@@ -9,8 +9,15 @@ namespace {
 
 constexpr Cycle memory_latency = 20;
 
+/// A pass begins when it is told to.
+SelectiveConfig one_by_one() {
+  SelectiveConfig config;
+  config.overlap = false;
+  return config;
+}
+
 struct Extractor {
-  Extractor(std::uint32_t width, std::uint32_t height, const SelectiveConfig& selective = {})
+  Extractor(std::uint32_t width, std::uint32_t height, const SelectiveConfig& selective = one_by_one())
       : config(selective),
         cache(bench.block<Cache>("cache", config.pixel_cache)),
         memory(bench.block<ScriptedMemory>("memory", below, 1, memory_latency)),
@@ -153,7 +160,7 @@ TEST(Extractor, ClassesAreHandedOnAsTheyAre) {
 }
 
 SelectiveConfig with(std::uint32_t stride, Passes passes) {
-  SelectiveConfig config;
+  SelectiveConfig config = one_by_one();
   config.stride = stride;
   config.passes = passes;
   return config;
