@@ -46,7 +46,7 @@ QualityPlan plan_of(const QualityOptions& options) {
   return plan;
 }
 
-/// Pictures of the points that are shown, named after them: proportional-16_strip_0000.png.
+/// Pictures of the points that are shown, named after them: attention-16_strip_0000.png.
 class PointPictures {
  public:
   PointPictures(const RunFolder& folder, const PictureSet& set, std::uint32_t frames, double fps)

@@ -46,7 +46,7 @@ struct QualityRow {
   std::optional<Attribution> attribution;  // of a point
 
   double traced_share() const { return static_cast<double>(traced) / static_cast<double>(pixels); }
-  /// "proportional-16"
+  /// "attention-16"
   std::string name() const;
 };
 
