@@ -30,7 +30,7 @@ class ControlUnit : public Block {
       : Block(name, domain),
         plan_(selective),
         tile_(selective.tile),
-        overlap_(selective.overlap),
+        overlap_(selective.overlaps()),
         shading_(shading),
         registers_(registers),
         image_(image) {}

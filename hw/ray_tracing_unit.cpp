@@ -78,7 +78,7 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
   bind_selective();
   bind_cores();
   bind_control();
-  if (config.selective.overlap) bind_overlap();
+  if (config.selective.overlaps()) bind_overlap();
   interconnect.flag_channels();
   frame_writer.flag_sources();
   inject(fault);
@@ -237,7 +237,7 @@ void RayTracingUnit::bind_control() {
   first_rendering_unit.takes_part_in(phase_first);
   for (Block* block : std::initializer_list<Block*>{&pixel_cache, &candidate_pixel_extractor, &collision_counter,
                                                     &threshold_adjuster, &render_executor}) {
-    block->takes_part_in(config_.selective.overlap ? phase_first | phase_selective : phase_selective);
+    block->takes_part_in(config_.selective.overlaps() ? phase_first | phase_selective : phase_selective);
   }
   dispatcher.takes_part_in(phase_first | phase_selective);
   frame_writer.takes_part_in(phase_first | phase_selective);

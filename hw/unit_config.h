@@ -71,6 +71,7 @@ struct SelectiveConfig {
   std::uint32_t stride = 2;  // pixels, distance of the sampling pixels
   Passes passes = Passes::horizontal_vertical;
   bool overlap = true;  // a pass begins while the one before goes on elsewhere
+  bool overlaps() const { return enabled && overlap; }
   Metric metric = Metric::max_channel;
   std::uint32_t policy = 0;  // its place in hw/selective/policy.h's list; attention is the first
   std::array<std::uint32_t, 4> policy_registers{};
