@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 namespace artu::test {
 namespace fs = std::filesystem;
@@ -78,6 +79,17 @@ void ProgramTest::write(const std::string& name, const std::string& text) const 
 std::string ProgramTest::read(const std::string& name) const {
   EXPECT_TRUE(exists(name)) << name;
   return read_all(folder_ / name);
+}
+
+std::vector<std::vector<std::string>> ProgramTest::csv(const std::string& name) const {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(read(name));
+  for (std::string line; std::getline(lines, line);) {
+    rows.emplace_back();
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+  }
+  return rows;
 }
 
 std::vector<std::string> ProgramTest::content(const std::string& name) const {

@@ -32,6 +32,8 @@ class ProgramTest : public ::testing::Test {
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   void write(const std::string& name, const std::string& text) const;
   std::string read(const std::string& name) const;
+  /// Rows of a CSV file, split at commas.
+  std::vector<std::vector<std::string>> csv(const std::string& name) const;
   bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
   /// Names of what the folder holds, sorted; of `name` in it.
   std::vector<std::string> content(const std::string& name = ".") const;

@@ -20,14 +20,8 @@ class QualityTest : public ProgramTest {
   QualityTest() { write_scene("tiny.obj"); }
 
   /// Of a CSV file: each row by the names in the first.
-  std::vector<std::map<std::string, std::string>> csv(const std::string& file) {
-    std::vector<std::vector<std::string>> rows;
-    std::istringstream lines(read(file));
-    for (std::string line; std::getline(lines, line);) {
-      rows.emplace_back();
-      std::istringstream cells(line);
-      for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
-    }
+  std::vector<std::map<std::string, std::string>> named_rows(const std::string& file) {
+    const std::vector<std::vector<std::string>> rows = csv(file);
     std::vector<std::map<std::string, std::string>> named;
     for (std::size_t i = 1; i < rows.size(); ++i) {
       EXPECT_EQ(rows[i].size(), rows[0].size()) << file << ": " << i;
@@ -43,7 +37,7 @@ TEST_F(QualityTest, EveryPointIsARunOfItsOwn) {
                                  "--policies", "fixed,attention", "-o", "out"});
   EXPECT_THAT(quality.out, HasSubstr("At equal work"));
   EXPECT_EQ(quality.out.find(read("out/quality.txt")), 0u);
-  const auto rows = csv("out/quality.csv");
+  const auto rows = named_rows("out/quality.csv");
   ASSERT_EQ(rows.size(), 7u);
   std::vector<std::string> policies;
   for (const auto& row : rows) policies.push_back(row.at("policy") + row.at("reference"));
@@ -75,7 +69,7 @@ TEST_F(QualityTest, EveryPointIsARunOfItsOwn) {
     }
     EXPECT_EQ(squares, std::stoull(row.at("squares_all")));
     std::uint64_t attributed = 0;
-    for (const auto& share : csv("out/attribution.csv")) {
+    for (const auto& share : named_rows("out/attribution.csv")) {
       if (share.at("policy") == row.at("policy") && share.at("reference") == row.at("reference")) {
         attributed += std::stoull(share.at("squares"));
         if (share.at("cause") == "traced") {

@@ -14,18 +14,6 @@ using ::testing::HasSubstr;
 class ScalingTest : public ProgramTest {
  protected:
   ScalingTest() { write_scene("tiny.obj"); }
-
-  /// Rows of a CSV file, split at commas.
-  std::vector<std::vector<std::string>> csv(const std::string& file) {
-    std::vector<std::vector<std::string>> rows;
-    std::istringstream lines(read(file));
-    for (std::string line; std::getline(lines, line);) {
-      rows.emplace_back();
-      std::istringstream cells(line);
-      for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
-    }
-    return rows;
-  }
 };
 
 TEST_F(ScalingTest, EveryValueHasTheCyclesOfARunOfItsOwn) {
