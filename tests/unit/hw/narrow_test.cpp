@@ -79,7 +79,7 @@ TEST(Rounding, OfAnOperationIsTheCorrectlyRoundedResult) {
       const float a = number(m), b = number(m);
       const auto check = [&](double in_binary64, long double exact) {
         const float result = rounded(in_binary64, m);
-        const long double step = std::ldexp(1.0L, std::ilogb(result) - m);
+        const long double step = result == 0 ? 0.0L : std::ldexp(1.0L, std::ilogb(result) - m);
         ASSERT_LE(std::fabs(result - exact), step / 2) << std::hexfloat << a << " " << b;
       };
       using Wide = long double;
