@@ -125,8 +125,6 @@ class Fifo : public Channel {
 
   /// Consumer: whether a token has arrived.
   bool can_pop() const { return count_ != 0 && entries_[head_ & mask_].ready <= *consumer_now_; }
-  /// The same for a consumer that knows that something is in the channel (flag) and what its cycle is.
-  bool has_arrived(Cycle now) const { return entries_[head_ & mask_].ready <= now; }
   const Token& front() const { return entries_[head_ & mask_].token; }
   void pop() {
     ++head_;

@@ -20,7 +20,7 @@ void Interconnect::reset() {
 }
 
 /// One look at every master that waits: for each memory the first from its arbiter's pointer on, or else the first.
-bool Interconnect::pass_requests(Cycle now, bool& blocked, bool& left) {
+bool Interconnect::pass_requests(bool& blocked, bool& left) {
   std::array<std::size_t, maximum_memories> chosen;
   std::size_t ready = 0;
   std::uint32_t asked = 0;  // memories, and so those whose entry above means something
@@ -28,7 +28,7 @@ bool Interconnect::pass_requests(Cycle now, bool& blocked, bool& left) {
     for (std::uint64_t bits = waiting_[word]; bits != 0; bits &= bits - 1) {
       const std::size_t i = word * 64 + static_cast<std::size_t>(__builtin_ctzll(bits));
       const Fifo<MemoryRequest>& requests = masters_[i]->request;
-      if (!requests.has_arrived(now)) continue;
+      if (!requests.can_pop()) continue;
       const std::size_t memory = memory_of(requests.front().line);
       ++ready;
       if ((asked >> memory & 1) == 0) {
@@ -65,7 +65,7 @@ bool Interconnect::pass_requests(Cycle now, bool& blocked, bool& left) {
 
 bool Interconnect::pass_response(std::size_t memory, Cycle now, bool& blocked) {
   Fifo<MemoryResponse>& responses = memories_[memory]->response;
-  if (!responses.has_arrived(now)) return false;
+  if (!responses.can_pop()) return false;
   const MemoryResponse response = responses.front();
   Fifo<MemoryResponse>& up = masters_[response.source]->response;
   if (answered_[response.source] == now) {
@@ -86,7 +86,7 @@ bool Interconnect::pass_response(std::size_t memory, Cycle now, bool& blocked) {
 Activity Interconnect::tick(Cycle now) {
   // What is on its way wakes the block when it arrives; `left` is what could go on in the next cycle.
   bool blocked = false, left = false;
-  bool moved = pass_requests(now, blocked, left);
+  bool moved = pass_requests(blocked, left);
   if (answering_ != 0) {
     for (std::size_t i = 0; i <= last_memory_; ++i) {
       const std::size_t memory = (first_memory_ + i) & last_memory_;

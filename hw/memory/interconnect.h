@@ -36,7 +36,7 @@ class Interconnect : public Block {
  private:
   static constexpr std::size_t maximum_memories = 16;
   Activity tick(Cycle now) override;
-  bool pass_requests(Cycle now, bool& blocked, bool& left);
+  bool pass_requests(bool& blocked, bool& left);
   bool pass_response(std::size_t memory, Cycle now, bool& blocked);
   std::size_t memory_of(Address line) const { return line / line_bytes & last_memory_; }
 

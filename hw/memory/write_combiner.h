@@ -61,8 +61,7 @@ class WriteCombiner {
     const auto entry = std::find_if(entries_.begin(), entries_.end(), [](const Entry& e) { return e.bytes != 0; });
     return entry == entries_.end() ? nullptr : &*entry;
   }
-  /// The oldest that is complete or was last touched before `since`; null if
-  /// there is none.
+  /// The oldest that is complete or was last touched before `since`; null if there is none.
   Entry* due(Cycle since) {
     Entry* found = nullptr;
     for (Entry& entry : entries_) {
@@ -71,8 +70,7 @@ class WriteCombiner {
     }
     return found;
   }
-  /// Of the entry that has not been touched for the longest time; `never` if
-  /// all are free.
+  /// Of the entry that has not been touched for the longest time; `never` if all are free.
   Cycle first_touched() const {
     Cycle first = never;
     for (const Entry& entry : entries_) {
