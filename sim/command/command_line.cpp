@@ -101,10 +101,9 @@ void add_run_options(CLI::App& command, RunOptions& run) {
 
   command
       .add_option_function<std::string>(
-          "--fidelity", [&run](const std::string& mode) { run.simulation.clocked = mode == "clocked"; },
+          "--fidelity", [&run](const std::string& mode) { run.simulation.fidelity = parse_fidelity(mode); },
           "event (default): only blocks that are awake; clocked: every block in every cycle, same result")
       ->option_text("MODE")
-      ->check(CLI::IsMember({"event", "clocked"}))
       ->group("Simulation");
   command
       .add_flag("--random-stall", run.simulation.random_stall,

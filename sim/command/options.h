@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/driver/simulator.h"
+#include "sim/driver/frame_simulator.h"
 #include "sim/report/memory_trace.h"
 #include "sim/report/picture_set.h"
 

@@ -21,19 +21,18 @@ namespace artu::sim {
 namespace {
 
 /// Every name that a report has, from a run of one triangle.
-std::string stats_list(const hw::UnitConfig& unit) {
+std::string stats_list(const hw::UnitConfig& unit, const SimulationOptions& simulation) {
   const traces::Scene scene = example_scene();
-  Simulator simulator(scene, unit, {});
-  const Totals totals = totals_of(simulator.run(example_frame()));
-  const Energy energy = energy_of(totals, unit);
-  return format_stats_list(totals, unit.clock_mhz, &energy);
+  const Totals totals = totals_of(make_simulator(scene, unit, simulation)->run(example_frame()));
+  const auto energy = energy_if_known(totals, unit);
+  return format_stats_list(totals, unit.clock_mhz, energy ? &*energy : nullptr);
 }
 
 /// Prints what was asked for instead of a run; false if nothing was.
 bool print_lists(const RunOptions& options, const hw::UnitConfig& unit) {
   if (options.dump_config) fmt::print("{}", dump_config(unit));
   if (options.list_params) fmt::print("{}", format_parameter_list());
-  if (options.list_stats) fmt::print("{}", stats_list(unit));
+  if (options.list_stats) fmt::print("{}", stats_list(unit, options.simulation));
   return options.dump_config || options.list_params || options.list_stats;
 }
 
@@ -50,7 +49,7 @@ void report_violations(const FrameOutcome& outcome) {
 }
 
 /// One frame at a time: memory does not grow with their number.
-RunResult run_frames(const FrameSource& source, Simulator& simulator, const hw::UnitConfig& unit,
+RunResult run_frames(const FrameSource& source, FrameSimulator& simulator, const hw::UnitConfig& unit,
                      const ref::Golden* golden, bool quiet, RunReport& report) {
   RunResult result;
   const FrameRange range = source.range();
@@ -96,6 +95,11 @@ int run_command(const RunOptions& options) {
                      "right");
   }
   require_file(options.source.path);
+  if (options.pictures && options.pictures->has(Picture::cycles) && !is_exact(options.simulation.fidelity)) {
+    throw InputError("--pictures", fmt::format("cycles of a pixel are not known with --fidelity {}; others, or event, "
+                                               "would be right",
+                                               fidelity_name(options.simulation.fidelity)));
+  }
   std::unique_ptr<RunReport> report;
   if (!options.dry_run) report = std::make_unique<RunReport>(options);
 
@@ -104,8 +108,8 @@ int run_command(const RunOptions& options) {
   SimulationOptions simulation = options.simulation;
   simulation.log_sink = [](const std::string& line) { fmt::print(stderr, "log: {}\n", line); };
   if (report) simulation.memory_observer = report->memory_observer();
-  Simulator simulator(source.scene(), unit, simulation,
-                      [&source](std::uint32_t index) { return source.first_from(index); });
+  const auto simulator = make_simulator(source.scene(), unit, simulation,
+                                        [&source](std::uint32_t index) { return source.first_from(index); });
   if (options.dry_run) {
     print_notes(log, options.quiet);
     print_dry_run(options, source);
@@ -114,7 +118,7 @@ int run_command(const RunOptions& options) {
   std::unique_ptr<ref::Golden> golden;
   if (options.check) golden = std::make_unique<ref::Golden>(source.scene(), golden_settings(unit));
 
-  const RunResult result = run_frames(source, simulator, unit, golden.get(), options.quiet, *report);
+  const RunResult result = run_frames(source, *simulator, unit, golden.get(), options.quiet, *report);
   Manifest manifest = manifest_of(options.command, options.source.path, source);
   manifest.checked = options.check;
   manifest.simulation = options.simulation;
@@ -123,10 +127,10 @@ int run_command(const RunOptions& options) {
   print_notes(log, options.quiet);
   if (!options.quiet) {
     const traces::Scene& scene = source.scene();
-    const Energy energy = energy_of(result.sum, unit);
+    const auto energy = energy_if_known(result.sum, unit);
     fmt::print("{}", format_summary({options.source.path, scene.width, scene.height, source.range().first,
                                      source.range().last, unit.clock_mhz},
-                                    result.sum, &energy));
+                                    result.sum, energy ? &*energy : nullptr));
     if (!report->folder().empty()) fmt::print("{:<12}{}\n", "report", report->folder());
   }
   if (golden && !(options.quiet && result.check.passed())) fmt::print("{}", describe(result.check));

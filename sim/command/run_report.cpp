@@ -65,18 +65,19 @@ void RunReport::add(const FrameOutcome& outcome, const Totals& frame, const hw::
   if (csv_) pixel_csv_rows(outcome, [this](const std::string& rows) { csv_->write(rows); });
   if (!folder_) return;
   pictures_->add(outcome, full);
-  const Energy energy = energy_of(frame, unit);
-  json_->add_frame(outcome.index, frame, outcome.violations, &energy);
+  const auto energy = energy_if_known(frame, unit);
+  json_->add_frame(outcome.index, frame, outcome.violations, energy ? &*energy : nullptr);
 }
 
 void RunReport::finish(const Totals& sum, const hw::UnitConfig& unit, const Manifest& manifest,
                        const CheckResult* check) {
   if (folder_) {
     pictures_->finish();
-    const Energy energy = energy_of(sum, unit);
-    json_->finish(sum, unit.clock_mhz, check, &energy);
+    const auto known = energy_if_known(sum, unit);
+    const Energy* energy = known ? &*known : nullptr;
+    json_->finish(sum, unit.clock_mhz, check, energy);
     const double golden_seconds = check ? check->golden_seconds : -1;
-    write_file(folder_->file("stats.txt"), format_stats(sum, unit.clock_mhz, golden_seconds, &energy));
+    write_file(folder_->file("stats.txt"), format_stats(sum, unit.clock_mhz, golden_seconds, energy));
     write_file(folder_->file("config.toml"), dump_config(unit));
     write_file(folder_->file("manifest.json"), to_json(manifest));
     folder_->commit();

@@ -27,10 +27,11 @@ std::vector<hw::UnitConfig> units_of(const ScalingOptions& options, const Variat
 }
 
 Totals simulate(const FrameSource& source, const hw::UnitConfig& unit, Progress& progress) {
-  Simulator simulator(source.scene(), unit, {}, [&source](std::uint32_t index) { return source.first_from(index); });
+  const auto simulator =
+      make_simulator(source.scene(), unit, {}, [&source](std::uint32_t index) { return source.first_from(index); });
   Totals sum;
   for (std::uint32_t index = source.range().first; index < source.range().last; ++index) {
-    const FrameOutcome outcome = simulator.run(source.frame(index));
+    const FrameOutcome outcome = simulator->run(source.frame(index));
     if (!outcome.violations.empty()) {
       throw std::logic_error(fmt::format("frame {}: accounting law violated: {}", index, outcome.violations[0]));
     }

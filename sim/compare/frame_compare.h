@@ -9,7 +9,7 @@
 
 #include "ref/golden.h"
 #include "sim/compare/pixel_compare.h"
-#include "sim/driver/simulator.h"
+#include "sim/driver/frame_outcome.h"
 
 namespace artu::sim {
 

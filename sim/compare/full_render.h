@@ -6,7 +6,7 @@
 
 #include "hw/pixel_record.h"
 #include "ref/golden.h"
-#include "sim/driver/simulator.h"
+#include "sim/driver/frame_outcome.h"
 #include "sim/report/image.h"
 
 namespace artu::sim {

@@ -25,7 +25,12 @@ class Context {
 };
 
 hw::RunMode mode_of(const SimulationOptions& options) {
-  return {options.clocked, options.shuffle_ticks, options.random_stall, options.seed, options.log, options.log_sink};
+  return {options.fidelity == Fidelity::clocked,
+          options.shuffle_ticks,
+          options.random_stall,
+          options.seed,
+          options.log,
+          options.log_sink};
 }
 
 std::uint64_t sum(const hw::Statistics& statistics, const std::string& name) {
@@ -63,6 +68,7 @@ struct Simulator::Impl {
   Impl(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options, FrameFrom frames)
       : scene(scene),
         config(config),
+        fidelity(options.fidelity),
         builder(scene, config, std::move(frames), image),
         unit("unit", config, mode_of(options), image, options.fault) {
     dynamic_cast<hw::Dram&>(unit.dram).observe(options.memory_observer);
@@ -95,6 +101,7 @@ struct Simulator::Impl {
 
   const traces::Scene& scene;
   const hw::UnitConfig config;
+  const Fidelity fidelity;
   hw::MemoryImage image;
   ImageBuilder builder;
   Context context;
@@ -121,6 +128,7 @@ FrameOutcome Simulator::run(const traces::Frame& frame) {
   const auto after = std::chrono::steady_clock::now();
   if (result.dead_locked) throw DeadLock("frame " + std::to_string(frame.index) + ": " + result.picture);
   FrameOutcome outcome = outcome_of(impl.scene, frame, std::move(result));
+  outcome.fidelity = impl.fidelity;
   outcome.dynamic_tree = impl.builder.dynamic_quality();
   outcome.pixels = std::move(pixels);
   outcome.simulation_seconds = std::chrono::duration<double>(after - before).count();

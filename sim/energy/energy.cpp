@@ -28,6 +28,11 @@ double Energy::picojoules() const {
   return sum;
 }
 
+std::optional<Energy> energy_if_known(const Totals& totals, const hw::UnitConfig& unit) {
+  if (!has_energy(totals.fidelity)) return {};
+  return energy_of(totals, unit);
+}
+
 double Energy::milliwatts() const {
   if (cycles == 0) return 0;
   return picojoules() * clock_mhz / static_cast<double>(cycles) / 1000;  // pJ * MHz = uW

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,5 +37,7 @@ struct Energy {
 
 /// From the counters alone.  Throws std::logic_error where one that it needs is not counted.
 Energy energy_of(const Totals& totals, const hw::UnitConfig& unit);
+/// None where the fidelity does not have all counters.
+std::optional<Energy> energy_if_known(const Totals& totals, const hw::UnitConfig& unit);
 
 }  // namespace artu::sim

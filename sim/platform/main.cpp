@@ -8,6 +8,7 @@
 #include "sim/compare/frame_compare.h"
 #include "sim/compare/golden_settings.h"
 #include "sim/driver/image_builder.h"
+#include "sim/driver/simulator.h"
 #include "sim/platform/processor.h"
 #include "sim/platform/ram.h"
 #include "sim/report/file.h"

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "ref/binary64.h"
-#include "sim/driver/simulator.h"
+#include "sim/driver/frame_simulator.h"
 #include "sim/report/names.h"
 #include "sim/report/numbers.h"
 #include "sim/report/pictures.h"
@@ -77,11 +77,11 @@ Pictures Sweep::simulate(SweepRow& row, double& seconds) {
   hw::UnitConfig unit = plan_.unit;
   unit.accel.static_kind = unit.accel.dynamic_kind = row.tree;
   unit.precision = row.format;
-  Simulator simulator(scene_, unit, {}, hooks_.frame_from);
+  const auto simulator = make_simulator(scene_, unit, {}, hooks_.frame_from);
   Pictures pictures;
   Totals sum;
   for (std::uint32_t index = plan_.first_frame; index < plan_.last_frame; ++index) {
-    const FrameOutcome outcome = simulator.run(hooks_.frame(index));
+    const FrameOutcome outcome = simulator->run(hooks_.frame(index));
     if (!outcome.violations.empty()) {
       throw std::logic_error(fmt::format("frame {}, {}, M {}: accounting law violated: {}", index, tree_name(row.tree),
                                          format_name(row.format), outcome.violations[0]));

@@ -1,4 +1,5 @@
 #include "sim/quality/sweep.h"
+#include "sim/driver/frame_simulator.h"
 
 #include <fmt/format.h>
 
@@ -42,10 +43,10 @@ class Sweep {
 
 template <class Take>
 void Sweep::simulate(QualityRow& row, const hw::UnitConfig& unit, Take take) {
-  Simulator simulator(scene_, unit, {}, hooks_.frame_from);
+  const auto simulator = make_simulator(scene_, unit, {}, hooks_.frame_from);
   Totals sum;
   for (std::uint32_t index = plan_.first_frame; index < plan_.last_frame; ++index) {
-    const FrameOutcome outcome = simulator.run(hooks_.frame(index));
+    const FrameOutcome outcome = simulator->run(hooks_.frame(index));
     if (!outcome.violations.empty()) {
       throw std::logic_error(
           fmt::format("frame {}, {}: accounting law violated: {}", index, row.name(), outcome.violations[0]));

@@ -14,7 +14,7 @@ std::string to_json(const Manifest& m) {
       {"size", {{"width", m.width}, {"height", m.height}}},
       {"fps", m.fps},
       {"checked", m.checked},
-      {"fidelity", m.simulation.clocked ? "clocked" : "event"},
+      {"fidelity", fidelity_name(m.simulation.fidelity)},
       {"random_stall", m.simulation.random_stall},
       {"shuffle", m.simulation.shuffle_ticks},
       {"seed", m.simulation.seed},

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/driver/simulator.h"
+#include "sim/driver/frame_simulator.h"
 
 namespace artu::sim {
 

@@ -36,6 +36,35 @@ void add(hw::Statistics& sum, const hw::Statistics& frame) {
   }
 }
 
+void add(std::vector<Estimate>& sum, const std::vector<Estimate>& frame) {
+  for (const Estimate& e : frame) {
+    const auto same = [&e](const Estimate& s) { return s.block == e.block && s.name == e.name; };
+    const auto found = std::find_if(sum.begin(), sum.end(), same);
+    if (found == sum.end()) {
+      sum.push_back(e);
+    } else if (is_peak(e.name)) {
+      found->value = std::max(found->value, e.value);
+      found->low = std::max(found->low, e.low);
+      found->high = std::max(found->high, e.high);
+    } else {
+      found->value += e.value;
+      found->low += e.low;
+      found->high += e.high;
+    }
+  }
+}
+
+/// A number that needs the cycles or the memory's traffic is left out where there are none.
+void leave_out_time(std::vector<Number>& numbers) {
+  const auto timed = [](const Number& n) {
+    for (const char* name : {"cycles", "fps", "mrays_per_second", "cycles_per_frame", "cycles_per_second"}) {
+      if (n.name == name) return true;
+    }
+    return starts_with(n.name, "dram");
+  };
+  numbers.erase(std::remove_if(numbers.begin(), numbers.end(), timed), numbers.end());
+}
+
 void keep_largest(TreeQuality& sum, const TreeQuality& frame) {
   sum.nodes = std::max(sum.nodes, frame.nodes);
   sum.leaves = std::max(sum.leaves, frame.leaves);
@@ -94,6 +123,7 @@ std::vector<HitRate> hit_rates(const hw::Statistics& statistics) {
 
 Totals totals_of(const FrameOutcome& o) {
   Totals t;
+  t.fidelity = o.fidelity;
   t.frames = 1;
   t.cycles = o.cycles;
   t.static_triangles = o.static_triangles;
@@ -110,6 +140,7 @@ Totals totals_of(const FrameOutcome& o) {
   t.dram_write_bytes = o.dram_write_bytes;
   t.simulation_seconds = o.simulation_seconds;
   t.statistics = o.statistics;
+  t.estimates = o.estimates;
   return t;
 }
 
@@ -119,17 +150,19 @@ void add(Totals& sum, const Totals& frame) {
       &Totals::traced,       &Totals::miss,           &Totals::static_hits,     &Totals::dynamic_hits,
       &Totals::rays_primary, &Totals::rays_shadow,    &Totals::rays_reflection, &Totals::rays_refraction,
       &Totals::node_visits,  &Totals::triangle_tests, &Totals::dram_read_bytes, &Totals::dram_write_bytes};
+  sum.fidelity = frame.fidelity;
   for (const auto count : counts) sum.*count += frame.*count;
   sum.static_triangles = std::max(sum.static_triangles, frame.static_triangles);
   sum.dynamic_triangles = std::max(sum.dynamic_triangles, frame.dynamic_triangles);
   keep_largest(sum.dynamic_tree, frame.dynamic_tree);
   sum.simulation_seconds += frame.simulation_seconds;
   add(sum.statistics, frame.statistics);
+  add(sum.estimates, frame.estimates);
 }
 
 std::vector<Number> frame_numbers(const Totals& t) {
   const double traced_share = ratio(static_cast<double>(t.sampled + t.traced), static_cast<double>(t.pixels()));
-  return {
+  std::vector<Number> numbers = {
       {"cycles", t.cycles, "cycles", "of the unit's clock, from start to the last write-back"},
       {"triangles.static", t.static_triangles, "triangles", "static geometry"},
       {"triangles.dynamic", t.dynamic_triangles, "triangles", "dynamic geometry (of several frames: the most)"},
@@ -159,6 +192,8 @@ std::vector<Number> frame_numbers(const Totals& t) {
       {"dram.read_bytes", t.dram_read_bytes, "bytes", "read from DRAM"},
       {"dram.write_bytes", t.dram_write_bytes, "bytes", "written to DRAM"},
   };
+  if (!has_cycles(t.fidelity)) leave_out_time(numbers);
+  return numbers;
 }
 
 std::vector<Number> derived_numbers(const Totals& t, std::uint32_t clock_mhz) {
@@ -176,6 +211,7 @@ std::vector<Number> derived_numbers(const Totals& t, std::uint32_t clock_mhz) {
       {"dram_gb_per_second", ratio(bytes, seconds) / 1e9, "GB/s", "simulated DRAM traffic, both ways"},
       {"dram_bytes_per_ray", ratio(bytes, rays), "bytes", "DRAM traffic, both ways"},
   };
+  if (!has_cycles(t.fidelity)) leave_out_time(numbers);
   for (const HitRate& rate : hit_rates(t.statistics)) {
     numbers.push_back({"hit_rate." + rate.kind,
                        ratio(static_cast<double>(rate.hits), static_cast<double>(rate.hits + rate.misses)), "",
@@ -192,6 +228,7 @@ std::vector<Number> simulation_numbers(const Totals& t, double golden_seconds) {
       {"node_visits_per_second", ratio(static_cast<double>(t.node_visits), seconds), "nodes/s", "simulation speed"},
       {"cycles_per_second", ratio(static_cast<double>(t.cycles), seconds), "cycles/s", "simulation speed"},
   };
+  if (!has_cycles(t.fidelity)) leave_out_time(numbers);
   if (golden_seconds >= 0) {
     numbers.push_back({"golden_seconds", golden_seconds, "s", "wall time of the golden model, without tree builds"});
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hw/fabric/statistics.h"
-#include "sim/driver/simulator.h"
+#include "sim/driver/frame_outcome.h"
 
 namespace artu::sim {
 
@@ -21,6 +21,7 @@ struct Number {
 
 /// What one frame counted, or several together.
 struct Totals {
+  Fidelity fidelity = Fidelity::event;
   std::uint64_t frames = 0, cycles = 0;
   std::uint64_t static_triangles = 0, dynamic_triangles = 0;  // of the largest frame
   TreeQuality dynamic_tree;  // the largest of each, but the expected tests: the costliest's
@@ -30,7 +31,8 @@ struct Totals {
   std::uint64_t node_visits = 0, triangle_tests = 0;
   std::uint64_t dram_read_bytes = 0, dram_write_bytes = 0;
   double simulation_seconds = 0;
-  hw::Statistics statistics;  // the blocks' counters
+  hw::Statistics statistics;        // the blocks' counters
+  std::vector<Estimate> estimates;  // the intervals of those that are estimates
 
   std::uint64_t rays() const { return rays_primary + rays_shadow + rays_reflection + rays_refraction; }
   std::uint64_t pixels() const { return sampled + interpolated + traced; }
@@ -38,10 +40,11 @@ struct Totals {
 
 Totals totals_of(const FrameOutcome& outcome);
 
-/// Adds up; counters named peak_..., max_..., ..._peak or ..._max keep the larger value.
+/// Adds up; an interval's ends too, since the errors of frames need not be independent.  Counters named peak_...,
+/// max_..., ..._peak or ..._max keep the larger value.
 void add(Totals& sum, const Totals& frame);
 
-/// Of a frame or the sum of frames.
+/// Of a frame or the sum of frames; without what the fidelity does not have.
 std::vector<Number> frame_numbers(const Totals& totals);
 /// Over all frames, at the configured clock.
 std::vector<Number> derived_numbers(const Totals& totals, std::uint32_t clock_mhz);

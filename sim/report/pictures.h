@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "sim/driver/simulator.h"
+#include "sim/driver/frame_outcome.h"
 #include "sim/report/color.h"
 
 namespace artu::sim {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sim/driver/simulator.h"
+#include "sim/driver/frame_outcome.h"
 
 namespace artu::sim {
 

@@ -27,11 +27,22 @@ Json object_of(const std::vector<Number>& numbers) {
   return object;
 }
 
+/// Intervals of 95 % of those figures that are estimates, under the names that the figures have.
+Json object_of(const std::vector<Estimate>& estimates) {
+  Json object = Json::object();
+  for (const Estimate& e : estimates) {
+    const Json interval = {{"value", e.value}, {"low", e.low}, {"high", e.high}, {"unit", e.unit}};
+    (e.block.empty() ? object[e.name] : object["blocks"][e.block][e.name]) = interval;
+  }
+  return object;
+}
+
 /// Numbers, and the counters of each block; a block's name, dots and all, is one key.
 Json object_of(const Totals& totals) {
   Json object = object_of(frame_numbers(totals));
   Json& blocks = object["blocks"] = Json::object();
   for (const hw::Statistic& s : totals.statistics) blocks[s.block][s.name] = s.value;
+  if (!is_exact(totals.fidelity)) object["estimates"] = object_of(totals.estimates);
   return object;
 }
 
@@ -87,7 +98,7 @@ void StatsJson::add_frame(std::uint32_t index, const Totals& frame, const std::v
                           const Energy* energy) {
   Json object = {{"index", index}};
   object.update(object_of(frame));
-  object["energy"] = object_of(energy);
+  if (energy != nullptr || has_energy(frame.fidelity)) object["energy"] = object_of(energy);
   object["violations"] = violations;
   file_.write(first_ ? "\n  " : ",\n  ");
   file_.write(indented(object, "  "));
@@ -95,12 +106,16 @@ void StatsJson::add_frame(std::uint32_t index, const Totals& frame, const std::v
 }
 
 void StatsJson::finish(const Totals& sum, std::uint32_t clock_mhz, const CheckResult* check, const Energy* energy) {
+  const Json fidelity = {{"mode", fidelity_name(sum.fidelity)}, {"promise", promise_of(sum.fidelity)}};
   Json totals = {{"frames", sum.frames}};
   totals.update(object_of(sum));
   file_.write("\n ],\n");
+  file_.write(" \"fidelity\": " + indented(fidelity, " ") + ",\n");
   file_.write(" \"totals\": " + indented(totals, " ") + ",\n");
   file_.write(" \"derived\": " + indented(object_of(derived_numbers(sum, clock_mhz)), " ") + ",\n");
-  file_.write(" \"energy\": " + indented(object_of(energy), " ") + ",\n");
+  if (energy != nullptr || has_energy(sum.fidelity)) {
+    file_.write(" \"energy\": " + indented(object_of(energy), " ") + ",\n");
+  }
   file_.write(" \"check\": " + (check ? indented(object_of(*check), " ") : "null") + ",\n");
   const auto simulation = simulation_numbers(sum, check ? check->golden_seconds : -1);
   file_.write(" \"simulation\": " + indented(object_of(simulation), " ") + "\n}\n");

@@ -41,14 +41,18 @@ double value_of(const std::vector<Number>& numbers, const std::string& name) {
 
 std::string format_stats(const Totals& sum, std::uint32_t clock_mhz, double golden_seconds, const Energy* energy) {
   const std::vector<Number> numbers = all_numbers(sum, clock_mhz, golden_seconds, energy);
-  std::string out = fmt::format(
-      "# {} frame{} at {} MHz: {:.0f} cycles per frame, {:.2f} fps, {:.2f} Mrays/s, {:.1f} % of the pixels ray "
-      "traced\n",
-      sum.frames, sum.frames == 1 ? "" : "s", clock_mhz, value_of(numbers, "derived.cycles_per_frame"),
-      value_of(numbers, "derived.fps"), value_of(numbers, "derived.mrays_per_second"),
-      100 * value_of(numbers, "traced_share"));
-  out += "\n# Where do the cycles go: all frames together, \"core\" is the mean of the cores\n";
-  out += format_cycle_table(sum.statistics);
+  std::string out = fmt::format("# {} frame{}", sum.frames, sum.frames == 1 ? "" : "s");
+  if (has_cycles(sum.fidelity)) {
+    out += fmt::format(" at {} MHz: {:.0f} cycles per frame, {:.2f} fps, {:.2f} Mrays/s", clock_mhz,
+                       value_of(numbers, "derived.cycles_per_frame"), value_of(numbers, "derived.fps"),
+                       value_of(numbers, "derived.mrays_per_second"));
+  }
+  out += fmt::format(", {:.1f} % of the pixels ray traced\n", 100 * value_of(numbers, "traced_share"));
+  out += fmt::format("# {}: {}\n", fidelity_name(sum.fidelity), promise_of(sum.fidelity));
+  if (has_energy(sum.fidelity)) {
+    out += "\n# Where do the cycles go: all frames together, \"core\" is the mean of the cores\n";
+    out += format_cycle_table(sum.statistics);
+  }
   if (energy != nullptr) {
     out += "\n# Where does the energy go: a frame, mean; all cores together\n";
     out += format_energy_table(*energy);
@@ -63,6 +67,12 @@ std::string format_stats(const Totals& sum, std::uint32_t clock_mhz, double gold
   }
   for (const Number& n : numbers) {
     out += fmt::format("{:<{}}  {:>{}}  {:<{}}  # {}\n", n.name, name, value_text(n), value, n.unit, unit, n.text);
+  }
+  if (!sum.estimates.empty()) out += "\n# Estimates with their 95 % intervals: name value low high unit\n";
+  for (const Estimate& e : sum.estimates) {
+    const std::string full = e.block.empty() ? e.name : e.block + "." + e.name;
+    out += fmt::format("{:<{}}  {:>{}.6g}  {:>{}.6g}  {:>{}.6g}  {}\n", full, name, e.value, value, e.low, value,
+                       e.high, value, e.unit);
   }
   return out;
 }

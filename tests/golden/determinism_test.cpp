@@ -43,7 +43,7 @@ TEST(Determinism, FramesInAnyOrderTakeTheSameCycles) {
 TEST(Determinism, TickingEveryBlockInEveryCycleChangesNothing) {
   const TestScene scene = sequence();
   sim::SimulationOptions clocked;
-  clocked.clocked = true;
+  clocked.fidelity = sim::Fidelity::clocked;
   const Rendered a = run(scene), b = run(scene, {}, clocked);
   for (std::size_t i = 0; i < scene.frames.size(); ++i) {
     EXPECT_EQ(all_counters(a.outcomes[i]), all_counters(b.outcomes[i]));
@@ -57,7 +57,7 @@ TEST(Determinism, TheOrderOfTicksChangesNothing) {
     sim::SimulationOptions shuffled;
     shuffled.shuffle_ticks = true;
     shuffled.seed = seed;
-    shuffled.clocked = seed == 5;
+    if (seed == 5) shuffled.fidelity = sim::Fidelity::clocked;
     const Rendered b = run(scene, {}, shuffled);
     for (std::size_t i = 0; i < scene.frames.size(); ++i) {
       EXPECT_EQ(all_counters(a.outcomes[i]), all_counters(b.outcomes[i])) << "seed " << seed;
@@ -75,7 +75,7 @@ TEST(Determinism, RandomStallsChangeCyclesAndNoPixel) {
     const Rendered b = run(scene, {}, stalled);
     expect_exact(b);
     // Stalled, event-driven and clocked must still agree to the cycle.
-    stalled.clocked = true;
+    stalled.fidelity = sim::Fidelity::clocked;
     const Rendered c = run(scene, {}, stalled);
     for (std::size_t i = 0; i < scene.frames.size(); ++i) {
       EXPECT_NE(a.outcomes[i].cycles, b.outcomes[i].cycles);

@@ -48,7 +48,8 @@ TEST(Overlap, ChangesNoBitOfAnyPlanOfPasses) {
       const auto together = simulate(test, config);
       expect_same_pixels(apart, together);
       sim::SimulationOptions mode;
-      mode.clocked = mode.shuffle_ticks = true;
+      mode.fidelity = sim::Fidelity::clocked;
+      mode.shuffle_ticks = true;
       mode.seed = stride;
       const auto clocked = simulate(test, config, mode);
       for (std::size_t i = 0; i < together.size(); ++i) EXPECT_EQ(all_counters(clocked[i]), all_counters(together[i]));

@@ -94,13 +94,14 @@ TEST(RayCoreSettings, AreTheSameClockedShuffledAndStalled) {
   for (const Setting& setting : settings()) {
     SCOPED_TRACE(setting.name);
     sim::SimulationOptions clocked, stalled;
-    clocked.clocked = clocked.shuffle_ticks = true;
+    clocked.fidelity = sim::Fidelity::clocked;
+    clocked.shuffle_ticks = true;
     stalled.random_stall = true;
     EXPECT_EQ(all_counters(run(scene, setting.config).outcomes[0]),
               all_counters(run(scene, setting.config, clocked).outcomes[0]));
     const Rendered slow = run(scene, setting.config, stalled);
     expect_exact(slow);
-    stalled.clocked = true;
+    stalled.fidelity = sim::Fidelity::clocked;
     EXPECT_EQ(all_counters(slow.outcomes[0]), all_counters(run(scene, setting.config, stalled).outcomes[0]));
   }
 }

@@ -35,7 +35,7 @@ TEST_P(SelectiveTiming, RandomStallsAndOrders) {
     sim::SimulationOptions options;
     options.random_stall = true;
     options.shuffle_ticks = seed % 2 == 0;
-    options.clocked = seed % 3 == 0;
+    if (seed % 3 == 0) options.fidelity = sim::Fidelity::clocked;
     options.seed = seed;
     expect_same_pixels(config(), options);
   }

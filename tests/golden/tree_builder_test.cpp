@@ -64,10 +64,11 @@ TEST(TreeBuilders, AreTheSameClockedShuffledAndExactWhenStalled) {
     config.tree_builder.outstanding = 3;
     const Rendered event = run(scene, config);
     sim::SimulationOptions clocked, stalled;
-    clocked.clocked = clocked.shuffle_ticks = true;
+    clocked.fidelity = sim::Fidelity::clocked;
+    clocked.shuffle_ticks = true;
     stalled.random_stall = true;
     const Rendered other = run(scene, config, clocked), slow = run(scene, config, stalled);
-    stalled.clocked = true;
+    stalled.fidelity = sim::Fidelity::clocked;
     const Rendered slow_clocked = run(scene, config, stalled);
     expect_exact(slow);
     for (std::size_t i = 0; i < scene.frames.size(); ++i) {

@@ -8,7 +8,7 @@
 #include "sim/command/example_scene.h"
 #include "sim/config/configuration.h"
 #include "sim/config/parameter_list.h"
-#include "sim/driver/simulator.h"
+#include "sim/driver/frame_simulator.h"
 #include "sim/energy/energy.h"
 #include "sim/energy/energy_report.h"
 #include "sim/energy/prices.h"
@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 const Totals& totals() {
   static const Totals all = [] {
     const traces::Scene scene = example_scene();
-    return totals_of(Simulator(scene, {}, {}).run(example_frame()));
+    return totals_of(make_simulator(scene, {})->run(example_frame()));
   }();
   return all;
 }

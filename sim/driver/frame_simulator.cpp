@@ -1,0 +1,30 @@
+#include "sim/driver/frame_simulator.h"
+
+#include "sim/driver/simulator.h"
+#include "traces/error.h"
+
+namespace artu::sim {
+
+void check_options(const SimulationOptions& options) {
+  if (is_exact(options.fidelity)) return;
+  const std::string mode = fidelity_name(options.fidelity);
+  const auto refuse = [&mode](bool given, const char* option, const char* what) {
+    if (!given) return;
+    throw InputError(option, std::string(what) + ", which --fidelity " + mode + " does not have; event would be right");
+  };
+  refuse(options.random_stall, "--random-stall", "is about channels");
+  refuse(options.shuffle_ticks, "--shuffle", "is about cycles");
+  refuse(!options.log.empty(), "--log", "is about blocks");
+  refuse(bool{options.memory_observer}, "--memory-trace", "is about requests in their order");
+  refuse(options.fault.datapath != hw::Datapath::none, "--inject-fault", "is about blocks");
+}
+
+std::unique_ptr<FrameSimulator> make_simulator(const traces::Scene& scene, const hw::UnitConfig& unit,
+                                               const SimulationOptions& options, FrameFrom frames) {
+  check_options(options);
+  if (is_exact(options.fidelity)) return std::make_unique<Simulator>(scene, unit, options, std::move(frames));
+  throw InputError("--fidelity",
+                   std::string(fidelity_name(options.fidelity)) + " is not there yet; event or clocked would be right");
+}
+
+}  // namespace artu::sim
