@@ -6,6 +6,7 @@
 
 #include "sim/command/commands.h"
 #include "sim/command/ranges.h"
+#include "sim/jobs/processes.h"
 #include "sim/quality/policies.h"
 #include "sim/report/interruption.h"
 #include "traces/error.h"
@@ -58,6 +59,13 @@ void add_configuration(CLI::App& command, Options& options) {
       ->group("Configuration");
 }
 
+void add_jobs(CLI::App& command, std::uint32_t& jobs) {
+  command.add_option("--jobs", jobs, "Processes that the frames are shared out to; changes no result; default 1")
+      ->option_text("N")
+      ->check(CLI::Range(1u, maximum_jobs))
+      ->group("Simulation");
+}
+
 template <class Take>
 void add_pictures(CLI::App& command, const char* by_default, Take take) {
   std::string names;
@@ -73,6 +81,7 @@ void add_pictures(CLI::App& command, const char* by_default, Take take) {
 void add_run_options(CLI::App& command, RunOptions& run) {
   add_source(command, run.source, "640x360", false, false);
   add_configuration(command, run);
+  add_jobs(command, run.jobs);
   command.add_flag("--dump-config", run.dump_config, "Print the resolved configuration as TOML and end")
       ->group("Configuration");
   command.add_flag("--list-params", run.list_params, "Print all parameters with default, unit and range, and end")
@@ -171,6 +180,7 @@ void add_stress_options(CLI::App& command, StressCommandOptions& stress) {
 void add_precision_options(CLI::App& command, PrecisionOptions& precision) {
   add_source(command, precision.source, "320x180", false, true);
   add_configuration(command, precision);
+  add_jobs(command, precision.jobs);
   command
       .add_option_function<std::string>(
           "--bits", [&precision](const std::string& list) { precision.formats = parse_formats(list); },
@@ -192,6 +202,7 @@ void add_precision_options(CLI::App& command, PrecisionOptions& precision) {
 void add_scaling_options(CLI::App& command, ScalingOptions& scaling) {
   add_source(command, scaling.source, "640x360", false, true);
   add_configuration(command, scaling);
+  add_jobs(command, scaling.jobs);
   command
       .add_option("--vary", scaling.variation,
                   "Parameter and its values, the first of which the others are held against; default "
@@ -206,6 +217,7 @@ void add_scaling_options(CLI::App& command, ScalingOptions& scaling) {
 void add_quality_options(CLI::App& command, QualityOptions& quality) {
   add_source(command, quality.source, "640x360", false, true);
   add_configuration(command, quality);
+  add_jobs(command, quality.jobs);
   command
       .add_option("--references", quality.references,
                   fmt::format("Reference thresholds, 0 ... 255; default {}", quality.references))

@@ -28,6 +28,7 @@ struct RunOptions {
   MemoryTraceFormat memory_trace_format = MemoryTraceFormat::dramsim3;
   std::optional<PictureSet> pictures;  // of the report; none given: frame, decision, class
   bool dump_config = false, list_params = false, list_stats = false;
+  std::uint32_t jobs = 1;  // processes
   bool dry_run = false, force = false, quiet = false;
   std::vector<std::string> command;  // the words of the command line
 };
@@ -38,6 +39,7 @@ struct PrecisionOptions {
   std::vector<hw::PrecisionConfig> formats;  // none: those of `precision_command`
   std::vector<hw::TreeKind> trees;           // none: all
   std::string output;                        // "" = none given
+  std::uint32_t jobs = 1;                    // processes
   bool force = false, quiet = false;
   std::vector<std::string> command;  // the words of the command line
 };
@@ -45,8 +47,9 @@ struct PrecisionOptions {
 struct ScalingOptions {
   SourceOptions source;
   std::vector<std::string> config_files, assignments;
-  std::string variation;  // PARAMETER=VALUE,VALUE...
-  std::string output;     // "" = none given
+  std::string variation;   // PARAMETER=VALUE,VALUE...
+  std::string output;      // "" = none given
+  std::uint32_t jobs = 1;  // processes
   bool force = false, quiet = false;
   std::vector<std::string> command;  // the words of the command line
 };
@@ -59,7 +62,8 @@ struct QualityOptions {
   std::string shares = "30,40,50";              // traced, in percent
   std::uint32_t worst = 20;                     // pixels of each point in worst_pixels.csv
   PictureSet pictures{Picture::strip};
-  std::string output;  // "" = none given
+  std::string output;      // "" = none given
+  std::uint32_t jobs = 1;  // processes
   bool force = false, quiet = false;
   std::vector<std::string> command;  // the words of the command line
 };

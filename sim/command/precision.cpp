@@ -36,6 +36,7 @@ SourceOptions source_of(const PrecisionOptions& options) {
 SweepPlan plan_of(const PrecisionOptions& options, const FrameRange& frames) {
   SweepPlan plan;
   plan.unit = Configuration::of(options.config_files, options.assignments).unit();
+  plan.jobs = options.jobs;
   plan.trees = options.trees;
   if (plan.trees.empty()) plan.trees.assign(std::begin(all_trees), std::end(all_trees));
   for (const hw::TreeKind tree : plan.trees) {

@@ -27,6 +27,7 @@ hw::UnitConfig unit_with(const QualityOptions& options, const std::vector<std::s
 QualityPlan plan_of(const QualityOptions& options) {
   QualityPlan plan;
   plan.worst = options.worst;
+  plan.jobs = options.jobs;
   plan.full = unit_with(options, {"selective.enabled=false"});
   const auto distance = [&](const QualityPoint& p) {
     return std::abs(std::int64_t{p.reference} - std::int64_t{plan.full.selective.reference});
@@ -52,10 +53,8 @@ class PointPictures {
   PointPictures(const RunFolder& folder, const PictureSet& set, std::uint32_t frames, double fps)
       : folder_(folder), set_(set), frames_(frames), fps_(fps) {}
 
-  void add(const QualityRow& row, const FrameOutcome& outcome, const FullRender& full) {
-    const std::string prefix = folder_.file(row.name() + "_");
-    writers_.try_emplace(row.name(), prefix, set_, frames_, fps_).first->second.add(outcome, &full);
-  }
+  void begin(const std::string& row) { writers_.try_emplace(row, folder_.file(row + "_"), set_, frames_, fps_); }
+  PictureWriter& of(const QualityRow& row) { return writers_.at(row.name()); }
   void finish() {
     for (auto& [name, writer] : writers_) writer.finish();
   }
@@ -82,6 +81,9 @@ int quality_command(const QualityOptions& options) {
   plan.last_frame = source.range().last;
 
   PointPictures pictures(folder, options.pictures, plan.frames(), source.scene().fps);
+  for (const QualityPoint& point : plan.points) {
+    if (point.shown) pictures.begin(fmt::format("{}-{}", point.policy, point.reference));
+  }
   std::vector<QualityRow> rows;
   {
     Progress progress(plan.steps(), "frames", options.quiet);
@@ -89,8 +91,9 @@ int quality_command(const QualityOptions& options) {
     hooks.frame = [&](std::uint32_t index) { return source.frame(index); };
     hooks.frame_from = [&](std::uint32_t index) { return source.first_from(index); };
     hooks.picture = [&](const QualityRow& row, const FrameOutcome& outcome, const FullRender& full) {
-      pictures.add(row, outcome, full);
+      return pictures.of(row).write(outcome, &full);
     };
+    hooks.part = [&](const QualityRow& row, const std::string& part) { pictures.of(row).append(part); };
     hooks.progress = [&] { progress.one_done(); };
     rows = run_quality(source.scene(), plan, hooks);
   }

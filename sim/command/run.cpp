@@ -13,6 +13,7 @@
 #include "sim/config/configuration.h"
 #include "sim/config/dump.h"
 #include "sim/config/parameter_list.h"
+#include "sim/jobs/processes.h"
 #include "sim/report/stats_text.h"
 #include "sim/report/summary.h"
 #include "traces/error.h"
@@ -42,15 +43,15 @@ struct RunResult {
   bool lawful = true;  // no accounting law is violated
 };
 
-void report_violations(const FrameOutcome& outcome) {
-  for (const std::string& violation : outcome.violations) {
-    fmt::print(stderr, "error: frame {}: accounting law violated: {}\n", outcome.index, violation);
+void report_violations(const FrameReport& frame) {
+  for (const std::string& violation : frame.violations) {
+    fmt::print(stderr, "error: frame {}: accounting law violated: {}\n", frame.index, violation);
   }
 }
 
-/// One frame at a time: memory does not grow with their number.
+/// One frame at a time in each process: memory does not grow with their number.
 RunResult run_frames(const FrameSource& source, FrameSimulator& simulator, const hw::UnitConfig& unit,
-                     const ref::Golden* golden, bool quiet, RunReport& report) {
+                     const ref::Golden* golden, const RunOptions& options, RunReport& report) {
   RunResult result;
   const FrameRange range = source.range();
   report.begin_pictures(range.count(), source.scene().fps);
@@ -60,20 +61,24 @@ RunResult run_frames(const FrameSource& source, FrameSimulator& simulator, const
     settings.selective = false;
     every_pixel = std::make_unique<ref::Golden>(source.scene(), settings);
   }
-  Progress progress(range.count(), "frames", quiet);
-  for (std::uint32_t index = range.first; index < range.last; ++index) {
-    const traces::Frame frame = source.frame(index);
+  const auto work = [&](std::uint64_t task) {
+    const traces::Frame frame = source.frame(range.first + static_cast<std::uint32_t>(task));
     const FrameOutcome outcome = simulator.run(frame);
-    if (golden) compare_frame(golden->render(frame), outcome, result.check);
-    const Totals totals = totals_of(outcome);
     std::optional<FullRender> full;
     if (every_pixel) full = full_render_of(every_pixel->render(frame));
-    report.add(outcome, totals, unit, full ? &*full : nullptr);
-    add(result.sum, totals);
-    report_violations(outcome);
-    result.lawful = result.lawful && outcome.violations.empty();
+    FrameReport written = report.write(outcome, unit, full ? &*full : nullptr);
+    if (golden) compare_frame(golden->render(frame), outcome, written.check);
+    return written;
+  };
+  Progress progress(range.count(), "frames", options.quiet);
+  in_order<FrameReport>(range.count(), options.jobs, work, [&](std::uint64_t, const FrameReport& frame) {
+    report.add(frame, unit);
+    add(result.sum, frame.totals);
+    add(result.check, frame.check);
+    report_violations(frame);
+    result.lawful = result.lawful && frame.violations.empty();
     progress.one_done();
-  }
+  });
   return result;
 }
 
@@ -118,7 +123,7 @@ int run_command(const RunOptions& options) {
   std::unique_ptr<ref::Golden> golden;
   if (options.check) golden = std::make_unique<ref::Golden>(source.scene(), golden_settings(unit));
 
-  const RunResult result = run_frames(source, *simulator, unit, golden.get(), options.quiet, *report);
+  const RunResult result = run_frames(source, *simulator, unit, golden.get(), options, *report);
   Manifest manifest = manifest_of(options.command, options.source.path, source);
   manifest.checked = options.check;
   manifest.simulation = options.simulation;

@@ -32,7 +32,13 @@ std::string heading(const std::string& input, const FrameSource& source) {
       range.count() == 1 ? fmt::format("frame {}", range.first) : fmt::format("frames {}:{}", range.first, range.last));
 }
 
-RunReport::RunReport(const RunOptions& options) {
+RunReport::RunReport(const RunOptions& options) : several_processes_(options.jobs > 1) {
+  if (several_processes_ && !options.memory_trace.empty()) {
+    throw InputError("--memory-trace", "is written in the order of the requests; without --jobs would be right");
+  }
+  if (several_processes_ && !options.simulation.log.empty()) {
+    throw InputError("--log", "the lines of several frames would mingle; without --jobs would be right");
+  }
   if (!options.pixel_csv.empty()) {
     csv_ = std::make_unique<AtomicFile>(options.pixel_csv, options.force);
     csv_->write(pixel_csv_header);
@@ -59,14 +65,32 @@ void RunReport::begin_pictures(std::uint32_t frames, double fps) {
   if (folder_) pictures_.emplace(folder_->file(""), set_, frames, fps);
 }
 
-void RunReport::add(const FrameOutcome& outcome, const Totals& frame, const hw::UnitConfig& unit,
-                    const FullRender* full) {
-  if (memory_trace_) memory_trace_->end_frame(outcome.cycles * unit.memory.dram.clock_mhz / unit.clock_mhz);
-  if (csv_) pixel_csv_rows(outcome, [this](const std::string& rows) { csv_->write(rows); });
+FrameReport RunReport::write(const FrameOutcome& outcome, const hw::UnitConfig& unit, const FullRender* full) {
+  FrameReport frame;
+  frame.index = outcome.index;
+  frame.dram_clocks = outcome.cycles * unit.memory.dram.clock_mhz / unit.clock_mhz;
+  frame.totals = totals_of(outcome);
+  frame.violations = outcome.violations;
+  if (csv_) {
+    pixel_csv_rows(outcome, [&](const std::string& rows) {
+      if (several_processes_) {
+        frame.pixel_csv += rows;
+      } else {
+        csv_->write(rows);
+      }
+    });
+  }
+  if (folder_) frame.animation = pictures_->write(outcome, full);
+  return frame;
+}
+
+void RunReport::add(const FrameReport& frame, const hw::UnitConfig& unit) {
+  if (memory_trace_) memory_trace_->end_frame(frame.dram_clocks);
+  if (csv_) csv_->write(frame.pixel_csv);
   if (!folder_) return;
-  pictures_->add(outcome, full);
-  const auto energy = energy_if_known(frame, unit);
-  json_->add_frame(outcome.index, frame, outcome.violations, energy ? &*energy : nullptr);
+  pictures_->append(frame.animation);
+  const auto energy = energy_if_known(frame.totals, unit);
+  json_->add_frame(frame.index, frame.totals, frame.violations, energy ? &*energy : nullptr);
 }
 
 void RunReport::finish(const Totals& sum, const hw::UnitConfig& unit, const Manifest& manifest,

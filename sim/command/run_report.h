@@ -4,10 +4,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/command/frame_source.h"
 #include "sim/command/options.h"
 #include "sim/compare/frame_compare.h"
+#include "sim/jobs/results.h"
 #include "sim/report/file.h"
 #include "sim/report/manifest.h"
 #include "sim/report/picture_set.h"
@@ -22,6 +24,28 @@ Manifest manifest_of(const std::vector<std::string>& command, const std::string&
 /// "FILE, 640x360, frame 0"
 std::string heading(const std::string& input, const FrameSource& source);
 
+/// What a frame leaves, ready to be written.
+struct FrameReport {
+  std::uint32_t index = 0;
+  std::uint64_t dram_clocks = 0;
+  Totals totals;
+  std::vector<std::string> violations;
+  CheckResult check;      // where the golden model is asked
+  std::string pixel_csv;  // rows; "" in the process that writes the file, which has done so already
+  std::string animation;  // PictureWriter's part
+};
+
+template <class A>
+void transfer(A& archive, FrameReport& r) {
+  pass(archive, r.index);
+  pass(archive, r.dram_clocks);
+  pass(archive, r.totals);
+  pass(archive, r.violations);
+  pass(archive, r.check);
+  pass(archive, r.pixel_csv);
+  pass(archive, r.animation);
+}
+
 class RunReport {
  public:
   /// Refuses what exists, before anything slow begins.
@@ -30,7 +54,10 @@ class RunReport {
   void begin_pictures(std::uint32_t frames, double fps);
   /// Whether add() must be given the full render.
   bool needs_full() const { return folder_ && set_.needs_full(); }
-  void add(const FrameOutcome& outcome, const Totals& frame, const hw::UnitConfig& unit, const FullRender* full);
+  /// Writes the frame's pictures; the rest of the report is in what it returns.  Any process may call it.
+  FrameReport write(const FrameOutcome& outcome, const hw::UnitConfig& unit, const FullRender* full);
+  /// Frame after frame, in the process that made the report.
+  void add(const FrameReport& frame, const hw::UnitConfig& unit);
   /// For the simulator whose frames are added; must not outlive the report.
   hw::MemoryObserver memory_observer() { return memory_trace_ ? memory_trace_->observer() : hw::MemoryObserver{}; }
   void finish(const Totals& sum, const hw::UnitConfig& unit, const Manifest& manifest, const CheckResult* check);
@@ -40,6 +67,7 @@ class RunReport {
  private:
   std::optional<RunFolder> folder_;
   std::unique_ptr<AtomicFile> csv_;
+  const bool several_processes_;
   std::unique_ptr<MemoryTrace> memory_trace_;
   std::unique_ptr<StatsJson> json_;
   PictureSet set_;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <memory>
 #include <stdexcept>
 
 #include "sim/command/commands.h"
@@ -8,6 +9,8 @@
 #include "sim/command/run_report.h"
 #include "sim/config/configuration.h"
 #include "sim/config/dump.h"
+#include "sim/jobs/processes.h"
+#include "sim/jobs/results.h"
 #include "sim/report/file.h"
 #include "sim/report/gnuplot.h"
 #include "sim/report/run_folder.h"
@@ -26,19 +29,36 @@ std::vector<hw::UnitConfig> units_of(const ScalingOptions& options, const Variat
   return units;
 }
 
-Totals simulate(const FrameSource& source, const hw::UnitConfig& unit, Progress& progress) {
-  const auto simulator =
-      make_simulator(source.scene(), unit, {}, [&source](std::uint32_t index) { return source.first_from(index); });
-  Totals sum;
-  for (std::uint32_t index = source.range().first; index < source.range().last; ++index) {
+/// Sums over the frames, by unit.
+std::vector<Totals> simulate(const FrameSource& source, const std::vector<hw::UnitConfig>& units, std::uint32_t jobs,
+                             Progress& progress) {
+  StaticTrees trees(source.scene());
+  for (const hw::UnitConfig& unit : units) trees.of(unit.accel);
+  SimulationOptions options;
+  options.static_trees = &trees;
+  const std::uint32_t frames = source.range().count();
+  std::size_t present = units.size();  // the simulator's; the frames of a unit come one after the other
+  std::unique_ptr<FrameSimulator> simulator;
+  const auto work = [&](std::uint64_t task) {
+    if (present != task / frames) {
+      present = task / frames;
+      simulator.reset();
+      simulator = make_simulator(source.scene(), units[present], options,
+                                 [&source](std::uint32_t index) { return source.first_from(index); });
+    }
+    const std::uint32_t index = source.range().first + static_cast<std::uint32_t>(task % frames);
     const FrameOutcome outcome = simulator->run(source.frame(index));
     if (!outcome.violations.empty()) {
       throw std::logic_error(fmt::format("frame {}: accounting law violated: {}", index, outcome.violations[0]));
     }
-    add(sum, totals_of(outcome));
+    return totals_of(outcome);
+  };
+  std::vector<Totals> sums(units.size());
+  in_order<Totals>(std::uint64_t{frames} * units.size(), jobs, work, [&](std::uint64_t task, const Totals& totals) {
+    add(sums[task / frames], totals);
     progress.one_done();
-  }
-  return sum;
+  });
+  return sums;
 }
 
 }  // namespace
@@ -56,9 +76,9 @@ int scaling_command(const ScalingOptions& options) {
   std::vector<ScalingRow> rows;
   {
     Progress progress(std::uint64_t{frames} * units.size(), "frames", options.quiet);
+    const std::vector<Totals> sums = simulate(source, units, options.jobs, progress);
     for (std::size_t i = 0; i < units.size(); ++i) {
-      const Totals totals = simulate(source, units[i], progress);
-      rows.push_back(scaling_row(variation.values[i], totals, units[i], i == 0 ? totals.cycles : rows[0].cycles));
+      rows.push_back(scaling_row(variation.values[i], sums[i], units[i], sums[0].cycles));
     }
   }
   const std::string title = heading(options.source.path, source);

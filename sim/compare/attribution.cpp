@@ -67,6 +67,15 @@ void Attribution::add(const FullRender& full, const FrameOutcome& outcome) {
   }
 }
 
+void Attribution::add(const Attribution& later) {
+  for (const auto& [what, share] : later.shares_) {
+    Share& sum = shares_[what];
+    sum.pixels += share.pixels;
+    sum.squares += share.squares;
+  }
+  for (const WrongPixel& pixel : later.worst_) keep(pixel);
+}
+
 void Attribution::keep(const WrongPixel& pixel) {
   if (worst_.size() == kept_ && (kept_ == 0 || worst_.back().squares >= pixel.squares)) return;
   const auto place = std::upper_bound(worst_.begin(), worst_.end(), pixel,

@@ -63,13 +63,24 @@ Sources sources_of(std::size_t index, std::uint32_t width, bool average = false)
 class Attribution {
  public:
   /// Keeps the `worst` pixels with the largest squares.
-  explicit Attribution(std::size_t worst, bool average = false) : kept_(worst), average_(average) {}
+  explicit Attribution(std::size_t worst = 0, bool average = false) : kept_(worst), average_(average) {}
   void add(const FullRender& full, const FrameOutcome& outcome);
+  /// Of later frames.
+  void add(const Attribution& later);
 
   const std::map<Decided, Share>& shares() const { return shares_; }
   /// The worst first; among equal ones the order of frames, rows, columns.
   const std::vector<WrongPixel>& worst() const { return worst_; }
   std::uint64_t squares() const;
+
+  /// sim/jobs/archive.h
+  template <class A>
+  friend void transfer(A& archive, Attribution& a) {
+    pass(archive, a.kept_);
+    pass(archive, a.average_);
+    pass(archive, a.shares_);
+    pass(archive, a.worst_);
+  }
 
  private:
   void keep(const WrongPixel& pixel);

@@ -46,6 +46,16 @@ void compare_frame(const ref::Result& golden, const FrameOutcome& unit, CheckRes
   result.simulation_seconds += unit.simulation_seconds;
 }
 
+void add(CheckResult& sum, const CheckResult& later) {
+  sum.pixels += later.pixels;
+  sum.differing_pixels += later.differing_pixels;
+  for (std::size_t f = 0; f < pixel_field_count; ++f) sum.differing_fields[f] += later.differing_fields[f];
+  if (!sum.first) sum.first = later.first;
+  sum.rays.insert(sum.rays.end(), later.rays.begin(), later.rays.end());
+  sum.golden_seconds += later.golden_seconds;
+  sum.simulation_seconds += later.simulation_seconds;
+}
+
 std::string describe(const CheckResult& result) {
   if (result.passed()) {
     return fmt::format(

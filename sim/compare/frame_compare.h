@@ -40,6 +40,9 @@ struct CheckResult {
 /// Adds one frame to the result.  Throws std::logic_error where the two pictures have different sizes.
 void compare_frame(const ref::Result& golden, const FrameOutcome& unit, CheckResult& result);
 
+/// Adds the result of later frames.
+void add(CheckResult& sum, const CheckResult& later);
+
 /// One line if all is well, else the first mismatch and how often each field differs.
 std::string describe(const CheckResult& result);
 

@@ -32,6 +32,16 @@ double AreaError::psnr() const {
 double AreaError::mean_ssim() const { return mean(similarity, windows); }
 double AreaError::mean_flip() const { return mean(flip, pixels); }
 
+void Errors::add(const Errors& others) {
+  for (std::size_t i = 0; i < area_count; ++i) {
+    areas[i].pixels += others.areas[i].pixels;
+    areas[i].squares += others.areas[i].squares;
+    areas[i].windows += others.areas[i].windows;
+    areas[i].similarity += others.areas[i].similarity;
+    areas[i].flip += others.areas[i].flip;
+  }
+}
+
 void Errors::add(const FullRender& full, const Image& image) {
   const std::uint32_t width = image.width;
   const auto both = [&](std::size_t pixel, auto&& change) {

@@ -37,6 +37,7 @@ struct Errors {
   const AreaError& of(Area area) const { return areas[static_cast<std::size_t>(area)]; }
   /// A frame's picture, of the full render's size.
   void add(const FullRender& full, const Image& image);
+  void add(const Errors& others);
 };
 
 }  // namespace artu::sim

@@ -11,6 +11,7 @@
 #include "hw/unit_config.h"
 #include "sim/driver/dynamic_trees.h"
 #include "sim/driver/frame_outcome.h"
+#include "sim/driver/static_trees.h"
 #include "traces/frame.h"
 
 namespace artu::sim {
@@ -18,13 +19,14 @@ namespace artu::sim {
 /// How the model is run; only `fault` changes a pixel; `fidelity`, `random_stall` and `fault` change cycles.
 struct SimulationOptions {
   Fidelity fidelity = Fidelity::event;
-  bool random_stall = false;           // random extra latency on every channel
-  bool shuffle_ticks = false;          // random order of blocks within each cycle
-  std::uint64_t seed = 1;              // of the two above
-  std::vector<hw::LogRule> log;        // which blocks write to the log
-  hw::LogSink log_sink;                // where to; needed where there is a rule
-  hw::Fault fault;                     // a datapath's result is falsified, to show that a check sees it
-  hw::MemoryObserver memory_observer;  // told of every request that reaches the DRAM
+  bool random_stall = false;            // random extra latency on every channel
+  bool shuffle_ticks = false;           // random order of blocks within each cycle
+  std::uint64_t seed = 1;               // of the two above
+  std::vector<hw::LogRule> log;         // which blocks write to the log
+  hw::LogSink log_sink;                 // where to; needed where there is a rule
+  hw::Fault fault;                      // a datapath's result is falsified, to show that a check sees it
+  hw::MemoryObserver memory_observer;   // told of every request that reaches the DRAM
+  StaticTrees* static_trees = nullptr;  // of the scene, where several simulators share them; must outlive them
 };
 
 /// The watchdog found that no token moves; what() is the picture of who waits for whom.  Exit code 3.

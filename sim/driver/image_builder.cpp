@@ -24,13 +24,10 @@ hw::LightRecord light_record(const traces::Light& light) {
   return record;
 }
 
-/// Static geometry is built by the driver itself, so by SAH.
-TreeRecipe static_recipe(const hw::AccelConfig& accel) { return {accel.static_kind, accel.leaf_size, {}}; }
-
 }  // namespace
 
 ImageBuilder::ImageBuilder(const traces::Scene& scene, const hw::UnitConfig& unit, FrameFrom frames,
-                           hw::MemoryImage& image)
+                           hw::MemoryImage& image, StaticTrees* trees)
     : scene_(scene),
       dynamic_trees_({unit.accel.dynamic_kind, unit.accel.leaf_size, unit.tree_builder}, std::move(frames)),
       image_(image),
@@ -45,9 +42,11 @@ ImageBuilder::ImageBuilder(const traces::Scene& scene, const hw::UnitConfig& uni
   textures.reserve(scene.textures.size());
   for (const traces::Texture& texture : scene.textures) textures.push_back(add_texture(texture));
   materials_ = add_materials(textures);
-  const Tree tree =
-      build_tree(scene.static_geometry, static_recipe(unit.accel), false, scene.name + ": static geometry");
-  static_ = lay_geometry(scene.static_geometry, tree, 0, image_);
+  if (trees != nullptr) {
+    static_ = lay_geometry(scene.static_geometry, trees->of(unit.accel), 0, image_);
+  } else {
+    static_ = lay_geometry(scene.static_geometry, build_static_tree(scene, unit.accel), 0, image_);
+  }
   shared_top_ = image_.size();
 }
 

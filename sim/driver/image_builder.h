@@ -5,6 +5,7 @@
 
 #include "sim/driver/dynamic_trees.h"
 #include "sim/driver/geometry_image.h"
+#include "sim/driver/static_trees.h"
 #include "sim/driver/tree_quality.h"
 #include "traces/frame.h"
 
@@ -13,8 +14,9 @@ namespace artu::sim {
 class ImageBuilder {
  public:
   /// What the frames share: frame buffer, room for spilled stacks, materials, textures, static geometry and its tree.
-  /// `frames` is needed for refit alone.
-  ImageBuilder(const traces::Scene& scene, const hw::UnitConfig& unit, FrameFrom frames, hw::MemoryImage& image);
+  /// `frames` is needed for refit alone; the tree comes from `trees` where there are any.
+  ImageBuilder(const traces::Scene& scene, const hw::UnitConfig& unit, FrameFrom frames, hw::MemoryImage& image,
+               StaticTrees* trees = nullptr);
 
   /// Lays the frame down after it (over the frame before); returns the address of its descriptor.
   hw::Address add(const traces::Frame& frame);

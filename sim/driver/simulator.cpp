@@ -69,7 +69,7 @@ struct Simulator::Impl {
       : scene(scene),
         config(config),
         fidelity(options.fidelity),
-        builder(scene, config, std::move(frames), image),
+        builder(scene, config, std::move(frames), image, options.static_trees),
         unit("unit", config, mode_of(options), image, options.fault) {
     dynamic_cast<hw::Dram&>(unit.dram).observe(options.memory_observer);
   }

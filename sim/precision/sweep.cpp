@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string_view>
 
 #include "ref/binary64.h"
 #include "sim/driver/frame_simulator.h"
+#include "sim/jobs/processes.h"
+#include "sim/jobs/results.h"
 #include "sim/report/names.h"
 #include "sim/report/numbers.h"
 #include "sim/report/pictures.h"
@@ -42,54 +45,119 @@ std::size_t hash_of(const Image& image) {
   return std::hash<std::string_view>()({reinterpret_cast<const char*>(image.rgb.data()), image.rgb.size()});
 }
 
+/// What one frame of a row gives.
+struct FrameResult {
+  Totals totals;
+  std::size_t hash = 0;
+  ImageDifference from_binary32, from_binary64;  // with the first tree
+  Image picture;                                 // of 23 bits with the first tree
+};
+
+template <class A>
+void transfer(A& archive, FrameResult& r) {
+  pass(archive, r.totals);
+  pass(archive, r.hash);
+  pass(archive, r.from_binary32);
+  pass(archive, r.from_binary64);
+  pass(archive, r.picture);
+}
+
 class Sweep {
  public:
   Sweep(const traces::Scene& scene, const SweepPlan& plan, const SweepHooks& hooks)
-      : scene_(scene), plan_(plan), hooks_(hooks) {}
+      : scene_(scene), plan_(plan), hooks_(hooks), trees_(scene) {}
 
   std::vector<SweepRow> run();
 
  private:
   void render_binary64();
-  /// Simulates all frames; returns their pictures.
-  Pictures simulate(SweepRow& row, double& seconds);
-  /// Fills in the errors.  Of a later tree they are those of the first, since its pictures must be equal.
-  void compare(SweepRow& row, const Pictures& pictures);
-  FormatResult first_compared(const SweepRow& row, const Pictures& pictures);
+  void simulate_binary32(SweepRow& row);
+  void simulate_others(std::vector<SweepRow*> rows);
+
+  hw::UnitConfig unit_of(const SweepRow& row) const;
+  std::uint32_t index_of(std::size_t frame) const { return plan_.first_frame + static_cast<std::uint32_t>(frame); }
+  std::size_t frames() const { return plan_.last_frame - plan_.first_frame; }
+  FrameResult simulate(const SweepRow& row, std::size_t frame);
+  /// Pictures of a format's first tree; those of the others must be equal.
+  bool is_compared(const SweepRow& row) const { return row.tree == plan_.trees[0]; }
+  void compare(const SweepRow& row, std::size_t frame, const Image& picture, FrameResult& result) const;
+  /// In the order of the frames.
+  void take(const SweepRow& row, std::size_t frame, const FrameResult& result, Totals& sum);
+  /// When all frames were taken.
+  void fill_in(SweepRow& row, const Totals& sum);
 
   const traces::Scene& scene_;
   const SweepPlan& plan_;
   const SweepHooks& hooks_;
+  StaticTrees trees_;
+  const SweepRow* present_ = nullptr;  // the simulator's; the frames of a row come one after the other
+  std::unique_ptr<FrameSimulator> simulator_;
   Pictures binary64_, binary32_;
+  double binary32_seconds_ = 0;
   std::map<std::string, FormatResult> known_;  // by the format's name
 };
 
 void Sweep::render_binary64() {
   const ref::Binary64 reference(scene_, plan_.unit.shading.max_depth, plan_.unit.shading.min_weight);
-  for (std::uint32_t index = plan_.first_frame; index < plan_.last_frame; ++index) {
-    binary64_.push_back(picture_of(reference.render(hooks_.frame(index))));
-    hooks_.picture("binary64", index, binary64_.back());
-    hooks_.progress();
-  }
+  in_order<Image>(
+      frames(), plan_.jobs,
+      [&](std::uint64_t frame) { return picture_of(reference.render(hooks_.frame(index_of(frame)))); },
+      [&](std::uint64_t frame, Image picture) {
+        binary64_.push_back(std::move(picture));
+        hooks_.picture("binary64", index_of(frame), binary64_.back());
+        hooks_.progress();
+      });
 }
 
-Pictures Sweep::simulate(SweepRow& row, double& seconds) {
+hw::UnitConfig Sweep::unit_of(const SweepRow& row) const {
   hw::UnitConfig unit = plan_.unit;
   unit.accel.static_kind = unit.accel.dynamic_kind = row.tree;
   unit.precision = row.format;
-  const auto simulator = make_simulator(scene_, unit, {}, hooks_.frame_from);
-  Pictures pictures;
-  Totals sum;
-  for (std::uint32_t index = plan_.first_frame; index < plan_.last_frame; ++index) {
-    const FrameOutcome outcome = simulator->run(hooks_.frame(index));
-    if (!outcome.violations.empty()) {
-      throw std::logic_error(fmt::format("frame {}, {}, M {}: accounting law violated: {}", index, tree_name(row.tree),
-                                         format_name(row.format), outcome.violations[0]));
-    }
-    add(sum, totals_of(outcome));
-    pictures.push_back(frame_picture(outcome));
-    hooks_.progress();
+  return unit;
+}
+
+FrameResult Sweep::simulate(const SweepRow& row, std::size_t frame) {
+  if (present_ != &row) {
+    SimulationOptions options;
+    options.static_trees = &trees_;
+    simulator_.reset();
+    simulator_ = make_simulator(scene_, unit_of(row), options, hooks_.frame_from);
+    present_ = &row;
   }
+  const FrameOutcome outcome = simulator_->run(hooks_.frame(index_of(frame)));
+  if (!outcome.violations.empty()) {
+    throw std::logic_error(fmt::format("frame {}, {}, M {}: accounting law violated: {}", index_of(frame),
+                                       tree_name(row.tree), format_name(row.format), outcome.violations[0]));
+  }
+  FrameResult result;
+  result.totals = totals_of(outcome);
+  result.picture = frame_picture(outcome);
+  result.hash = hash_of(result.picture);
+  return result;
+}
+
+void Sweep::compare(const SweepRow& row, std::size_t frame, const Image& picture, FrameResult& result) const {
+  result.from_binary32 = compare_images(picture, binary32_[frame]);
+  result.from_binary64 = compare_images(picture, binary64_[frame]);
+  hooks_.picture("M" + format_name(row.format), index_of(frame), picture);
+}
+
+void Sweep::take(const SweepRow& row, std::size_t frame, const FrameResult& result, Totals& sum) {
+  const std::string name = format_name(row.format);
+  FormatResult& known = known_[name];
+  if (is_compared(row)) {
+    known.hashes.push_back(result.hash);
+    known.from_binary32.add(result.from_binary32);
+    known.from_binary64.add(result.from_binary64);
+  } else if (known.hashes[frame] != result.hash) {
+    throw std::logic_error(fmt::format("frame {}, M {}: {} shows another picture than {}", index_of(frame), name,
+                                       tree_name(row.tree), tree_name(plan_.trees[0])));
+  }
+  add(sum, result.totals);
+  hooks_.progress();
+}
+
+void Sweep::fill_in(SweepRow& row, const Totals& sum) {
   row.cycles = sum.cycles;
   row.rays = sum.rays();
   row.node_visits = sum.node_visits;
@@ -99,32 +167,48 @@ Pictures Sweep::simulate(SweepRow& row, double& seconds) {
   for (const hw::Statistic& s : sum.statistics) {
     if (s.name == "box_tests") row.box_tests += s.value;
   }
-  seconds = sum.simulation_seconds;
-  return pictures;
+  const FormatResult& known = known_[format_name(row.format)];
+  row.from_binary32 = known.from_binary32;
+  row.from_binary64 = known.from_binary64;
+  row.run_time = sum.simulation_seconds / binary32_seconds_;
 }
 
-FormatResult Sweep::first_compared(const SweepRow& row, const Pictures& pictures) {
-  FormatResult result;
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    result.hashes.push_back(hash_of(pictures[i]));
-    result.from_binary32.add(compare_images(pictures[i], binary32_[i]));
-    result.from_binary64.add(compare_images(pictures[i], binary64_[i]));
-    hooks_.picture("M" + format_name(row.format), plan_.first_frame + static_cast<std::uint32_t>(i), pictures[i]);
-  }
-  return result;
+/// Its pictures and its time are what all others are compared with.
+void Sweep::simulate_binary32(SweepRow& row) {
+  Totals sum;
+  in_order<FrameResult>(
+      frames(), plan_.jobs, [&](std::uint64_t frame) { return simulate(row, frame); },
+      [&](std::uint64_t frame, FrameResult result) {
+        binary32_.push_back(std::move(result.picture));
+        compare(row, frame, binary32_.back(), result);
+        take(row, frame, result, sum);
+      });
+  binary32_seconds_ = sum.simulation_seconds;
+  fill_in(row, sum);
+  row.run_time = 1;
+  simulator_.reset();
+  present_ = nullptr;
 }
 
-void Sweep::compare(SweepRow& row, const Pictures& pictures) {
-  const std::string name = format_name(row.format);
-  auto known = known_.find(name);
-  if (known == known_.end()) known = known_.emplace(name, first_compared(row, pictures)).first;
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    if (known->second.hashes[i] == hash_of(pictures[i])) continue;
-    throw std::logic_error(fmt::format("frame {}, M {}: {} shows another picture than {}", plan_.first_frame + i, name,
-                                       tree_name(row.tree), tree_name(plan_.trees[0])));
-  }
-  row.from_binary32 = known->second.from_binary32;
-  row.from_binary64 = known->second.from_binary64;
+void Sweep::simulate_others(std::vector<SweepRow*> rows) {
+  Totals sum;
+  in_order<FrameResult>(
+      frames() * rows.size(), plan_.jobs,
+      [&](std::uint64_t task) {
+        const SweepRow& row = *rows[task / frames()];
+        FrameResult result = simulate(row, task % frames());
+        const Image picture = std::move(result.picture);
+        if (is_compared(row)) compare(row, task % frames(), picture, result);
+        result.picture = {};
+        return result;
+      },
+      [&](std::uint64_t task, const FrameResult& result) {
+        SweepRow& row = *rows[task / frames()];
+        take(row, task % frames(), result, sum);
+        if (task % frames() + 1 < frames()) return;
+        fill_in(row, sum);
+        sum = {};
+      });
 }
 
 std::vector<SweepRow> Sweep::run() {
@@ -136,21 +220,17 @@ std::vector<SweepRow> Sweep::run() {
       row.tree = tree;
       row.format = format;
       rows.push_back(row);
+      trees_.of(unit_of(row).accel);
     }
   }
-  // Its pictures and its time are what all others are compared with.
   const auto reference =
       std::find_if(rows.begin(), rows.end(), [](const SweepRow& r) { return is_binary32(r.format); });
-  double reference_seconds = 0;
-  binary32_ = simulate(*reference, reference_seconds);
-  reference->run_time = 1;
-  compare(*reference, binary32_);
+  simulate_binary32(*reference);
+  std::vector<SweepRow*> others;
   for (SweepRow& row : rows) {
-    if (&row == &*reference) continue;
-    double seconds = 0;
-    compare(row, simulate(row, seconds));
-    row.run_time = seconds / reference_seconds;
+    if (&row != &*reference) others.push_back(&row);
   }
+  simulate_others(others);
   return rows;
 }
 

@@ -18,6 +18,7 @@ struct SweepPlan {
   std::vector<hw::TreeKind> trees;
   std::vector<hw::PrecisionConfig> formats;
   std::uint32_t first_frame = 0, last_frame = 1;  // half-open
+  std::uint32_t jobs = 1;                         // processes that the frames are shared out to
 };
 
 /// Each tree and format once, in the order given; 23 bits, what the others are compared with, is added if it is not
@@ -43,9 +44,10 @@ struct SweepHooks {
   std::function<traces::Frame(std::uint32_t index)> frame;
   /// The frame of the index, or the first one after it; for tree_builder.refit alone.
   std::function<traces::Frame(std::uint32_t index)> frame_from;
-  /// Takes a picture of a frame: the name is "binary64", or "M" and the format's name; trees do not change it.
+  /// Takes a picture of a frame: the name is "binary64", or "M" and the format's name; trees do not change it.  Those
+  /// of binary64 and of 23 bits come first and in this process, the others in the process that simulated them.
   std::function<void(const std::string& name, std::uint32_t index, const Image&)> picture;
-  /// After each of `sweep_steps`.
+  /// After each of `sweep_steps`, in this process.
   std::function<void()> progress;
 };
 

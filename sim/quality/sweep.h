@@ -26,6 +26,7 @@ struct QualityPlan {
   std::vector<QualityPoint> points;
   std::uint32_t first_frame = 0, last_frame = 1;  // half-open
   std::size_t worst = 20;                         // pixels that are kept of each point
+  std::uint32_t jobs = 1;                         // processes that the frames are shared out to
 
   std::uint32_t frames() const { return last_frame - first_frame; }
   /// Frames to simulate.
@@ -54,9 +55,11 @@ struct QualityHooks {
   std::function<traces::Frame(std::uint32_t index)> frame;
   /// The frame of the index, or the first one after it; for tree_builder.refit alone.
   std::function<traces::Frame(std::uint32_t index)> frame_from;
-  /// Takes each frame of a row that is shown.
-  std::function<void(const QualityRow& row, const FrameOutcome& outcome, const FullRender& full)> picture;
-  /// After each of the plan's steps.
+  /// Takes each frame of a row that is shown, in the process that simulated it; what it returns goes to `part`.
+  std::function<std::string(const QualityRow& row, const FrameOutcome& outcome, const FullRender& full)> picture;
+  /// In the order of the frames, in this process.
+  std::function<void(const QualityRow& row, const std::string& part)> part;
+  /// After each of the plan's steps, in this process.
   std::function<void()> progress;
 };
 

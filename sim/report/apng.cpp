@@ -56,24 +56,23 @@ void AnimatedPng::chunk(const char* type, const std::string& data) {
   out_.write(big_endian(crc32_of(body)));
 }
 
-void AnimatedPng::begin_frame(const Image& image) {
+void AnimatedPng::begin_frame(const std::string& header) {
   const std::string at_origin(8, '\0'), replace_all(2, '\0');
-  chunk("fcTL", big_endian(sequence_++) + big_endian(image.width) + big_endian(image.height) + at_origin +
-                    big_endian(delay_, 2) + big_endian(1000, 2) + replace_all);
+  chunk("fcTL", big_endian(sequence_++) + header.substr(0, 8) + at_origin + big_endian(delay_, 2) +
+                    big_endian(1000, 2) + replace_all);
 }
 
-void AnimatedPng::add(const Image& image) {
+void AnimatedPng::add(const std::string& png) {
   if (added_ == frames_) throw std::logic_error(out_.name() + ": more frames than were announced");
-  const std::string png = encode_png(out_.name(), image);
-  const std::string pixels = data_of(png, "IDAT");
+  const std::string header = data_of(png, "IHDR"), pixels = data_of(png, "IDAT");
   if (added_++ == 0) {
     out_.write(png.substr(0, signature));
-    chunk("IHDR", data_of(png, "IHDR"));
+    chunk("IHDR", header);
     chunk("acTL", big_endian(frames_) + big_endian(0));  // 0: for ever
-    begin_frame(image);
+    begin_frame(header);
     chunk("IDAT", pixels);
   } else {
-    begin_frame(image);
+    begin_frame(header);
     chunk("fdAT", big_endian(sequence_++) + pixels);
   }
 }

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "sim/report/file.h"
-#include "sim/report/image.h"
 
 namespace artu::sim {
 
@@ -16,12 +15,13 @@ class AnimatedPng {
  public:
   /// `frames` pictures of one size will be added, shown at `fps` a second.
   AnimatedPng(const std::string& file, std::uint32_t frames, double fps);
-  void add(const Image& image);
+  /// The bytes of a picture's PNG file.
+  void add(const std::string& png);
   void close();  // after the last frame
 
  private:
   void chunk(const char* type, const std::string& data);
-  void begin_frame(const Image& image);
+  void begin_frame(const std::string& header);
 
   OutputFile out_;
   std::uint32_t frames_, added_ = 0;

@@ -1,5 +1,6 @@
 #include "sim/report/interruption.h"
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -14,6 +15,7 @@ namespace {
 struct Guarded {
   std::mutex mutex;
   std::set<std::string> paths;
+  std::set<pid_t> processes;
 };
 
 /// Never destroyed: the waiting thread lives as long as the process.
@@ -28,6 +30,10 @@ Guarded& guarded() {
   while (sigwait(&signals, &signal) != 0) {
   }
   const std::lock_guard<std::mutex> lock(guarded().mutex);
+  for (const pid_t process : guarded().processes) {
+    kill(process, SIGKILL);
+    waitpid(process, nullptr, 0);
+  }
   for (const std::string& path : guarded().paths) {
     std::error_code error;
     // Another thread may still put a file into the folder while it is removed.
@@ -61,6 +67,16 @@ RemoveOnInterrupt::RemoveOnInterrupt(std::string path) : path_(std::move(path)) 
 RemoveOnInterrupt::~RemoveOnInterrupt() {
   const std::lock_guard<std::mutex> lock(guarded().mutex);
   guarded().paths.erase(path_);
+}
+
+KillOnInterrupt::KillOnInterrupt(pid_t pid) : pid_(pid) {
+  const std::lock_guard<std::mutex> lock(guarded().mutex);
+  guarded().processes.insert(pid_);
+}
+
+KillOnInterrupt::~KillOnInterrupt() {
+  const std::lock_guard<std::mutex> lock(guarded().mutex);
+  guarded().processes.erase(pid_);
 }
 
 }  // namespace artu::sim

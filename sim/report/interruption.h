@@ -1,6 +1,8 @@
 // Ctrl-C leaves nothing half-written.
 #pragma once
 
+#include <sys/types.h>
+
 #include <string>
 
 namespace artu::sim {
@@ -19,6 +21,18 @@ class RemoveOnInterrupt {
 
  private:
   std::string path_;
+};
+
+/// Kills a process of ours before what it may write to is removed.
+class KillOnInterrupt {
+ public:
+  explicit KillOnInterrupt(pid_t pid);
+  ~KillOnInterrupt();
+  KillOnInterrupt(const KillOnInterrupt&) = delete;
+  KillOnInterrupt& operator=(const KillOnInterrupt&) = delete;
+
+ private:
+  pid_t pid_;
 };
 
 }  // namespace artu::sim

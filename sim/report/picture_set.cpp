@@ -110,17 +110,23 @@ PictureWriter::PictureWriter(const std::string& prefix, const PictureSet& set, s
   }
 }
 
-void PictureWriter::add(const FrameOutcome& outcome, const FullRender* full) {
+std::string PictureWriter::write(const FrameOutcome& outcome, const FullRender* full) const {
+  std::string part;
   for (std::size_t i = 0; i < picture_count; ++i) {
     const auto picture = static_cast<Picture>(i);
     if (!set_.has(picture)) continue;
     const Image image = picture_of(picture, outcome, full);
     if (picture == Picture::animation) {
-      animation_->add(image);
+      part = encode_png(prefix_ + "animation.png", image);
     } else {
       write_png(fmt::format("{}{}_{:04}.png", prefix_, picture_names[i], outcome.index), image);
     }
   }
+  return part;
+}
+
+void PictureWriter::append(const std::string& part) {
+  if (animation_) animation_->add(part);
 }
 
 void PictureWriter::finish() {

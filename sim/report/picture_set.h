@@ -50,7 +50,10 @@ Image picture_of(Picture picture, const FrameOutcome& outcome, const FullRender*
 class PictureWriter {
  public:
   PictureWriter(const std::string& prefix, const PictureSet& set, std::uint32_t frames, double fps);
-  void add(const FrameOutcome& outcome, const FullRender* full);
+  /// Writes the files of a frame; returns its part of the animation, "" where there is none.  Any process may call it.
+  std::string write(const FrameOutcome& outcome, const FullRender* full) const;
+  /// What write() returned, frame after frame, in the process that has made the writer.
+  void append(const std::string& part);
   void finish();
 
  private:

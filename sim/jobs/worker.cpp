@@ -1,0 +1,177 @@
+#include "sim/jobs/worker.h"
+
+#include <fmt/format.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+#include "sim/driver/frame_simulator.h"
+#include "traces/error.h"
+
+namespace artu::sim {
+namespace {
+
+struct Header {
+  Answer::Kind kind;
+  std::uint64_t size;
+};
+
+/// False where the other side is gone.
+bool send_all(int fd, const void* bytes, std::size_t count) {
+  const char* at = static_cast<const char*>(bytes);
+  while (count > 0) {
+    const ssize_t sent = send(fd, at, count, MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent <= 0) return false;
+    at += sent;
+    count -= static_cast<std::size_t>(sent);
+  }
+  return true;
+}
+
+bool receive_all(int fd, void* bytes, std::size_t count) {
+  char* at = static_cast<char*>(bytes);
+  while (count > 0) {
+    const ssize_t got = recv(fd, at, count, 0);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    at += got;
+    count -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+Answer answer_to(std::uint64_t task, const Worker::Work& work) {
+  try {
+    return {Answer::Kind::result, work(task)};
+  } catch (const InputError& error) {
+    return {Answer::Kind::input_error, error.what()};
+  } catch (const DeadLock& error) {
+    return {Answer::Kind::dead_lock, error.what()};
+  } catch (const std::bad_alloc&) {
+    return {Answer::Kind::out_of_memory, ""};
+  } catch (const std::exception& error) {
+    return {Answer::Kind::internal, error.what()};
+  }
+}
+
+/// Ends without the destructors and buffers that belong to the process that forked.
+[[noreturn]] void serve(int fd, pid_t parent, const Worker::Work& work) {
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // a long task must not outlive a parent that was killed
+#endif
+  if (getppid() != parent) _exit(0);
+  for (std::uint64_t task; receive_all(fd, &task, sizeof task);) {
+    const Answer answer = answer_to(task, work);
+    Header header;
+    std::memset(&header, 0, sizeof header);
+    header.kind = answer.kind;
+    header.size = answer.bytes.size();
+    if (!send_all(fd, &header, sizeof header) || !send_all(fd, answer.bytes.data(), answer.bytes.size())) break;
+  }
+  _exit(0);
+}
+
+}  // namespace
+
+const std::string& Answer::result() const {
+  switch (kind) {
+    case Kind::result:
+      return bytes;
+    case Kind::input_error:
+      throw InputError("", bytes);
+    case Kind::dead_lock:
+      throw DeadLock(bytes);
+    case Kind::out_of_memory:
+      throw std::bad_alloc();
+    default:
+      throw std::runtime_error(bytes);
+  }
+}
+
+Worker::Worker(const Work& work, const std::vector<int>& siblings_fds) {
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    throw InputError(
+        "--jobs", std::string("no connection to a process: ") + std::strerror(errno) + "; fewer jobs would be right");
+  }
+  std::fflush(nullptr);
+  const pid_t parent = getpid();
+  pid_ = fork();
+  if (pid_ == 0) {
+    close(ends[0]);
+    for (const int fd : siblings_fds) close(fd);
+    serve(ends[1], parent, work);
+  }
+  const int error = errno;
+  close(ends[1]);
+  fd_ = ends[0];
+  if (pid_ < 0) {
+    close(fd_);
+    throw InputError("--jobs",
+                     std::string("no further process: ") + std::strerror(error) + "; fewer jobs would be right");
+  }
+  guard_ = std::make_unique<KillOnInterrupt>(pid_);
+}
+
+Worker::~Worker() {
+  guard_.reset();  // the number may be another process's as soon as this one is waited for
+  close(fd_);
+  if (pid_ < 0) return;
+  kill(pid_, SIGKILL);
+  while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+void Worker::give(std::uint64_t task) {
+  task_ = task;
+  if (!send_all(fd_, &task, sizeof task)) ended();
+}
+
+std::optional<Answer> Worker::receive() {
+  char buffer[1 << 16];
+  while (true) {
+    const ssize_t got = recv(fd_, buffer, sizeof buffer, MSG_DONTWAIT);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return std::nullopt;
+    if (got <= 0) ended();
+    received_.append(buffer, static_cast<std::size_t>(got));
+    Header header;
+    if (received_.size() < sizeof header) continue;
+    std::memcpy(&header, received_.data(), sizeof header);
+    if (received_.size() - sizeof header < header.size) continue;
+    Answer answer{header.kind, received_.substr(sizeof header)};
+    received_.clear();
+    task_.reset();
+    return answer;
+  }
+}
+
+void Worker::ended() {
+  guard_.reset();  // waits while an interruption ends the program: then the process was killed by it
+  int status = 0;
+  while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) {
+    throw InputError("--jobs",
+                     "one of the processes was killed, as happens when memory runs out; fewer jobs or a smaller scene "
+                     "would be right");
+  }
+  throw std::runtime_error(WIFSIGNALED(status)
+                               ? fmt::format("one of the processes of --jobs ended by signal {}", WTERMSIG(status))
+                               : fmt::format("one of the processes of --jobs ended with code {}", WEXITSTATUS(status)));
+}
+
+}  // namespace artu::sim
