@@ -22,14 +22,9 @@ bool ControlUnit::fetch() {
     ++answered_;
     const std::uint64_t descriptor_lines = sizeof(FrameDescriptor) / line_bytes;
     if (answered_ == descriptor_lines) {
-      registers_.descriptor = image_.at<FrameDescriptor>(descriptor_);
-      const FrameDescriptor& frame = registers_.descriptor;
-      registers_.shading = {frame.ambient, frame.sky_nadir, frame.sky_zenith, shading_.max_depth, shading_.min_weight};
-      registers_.lights.clear();
-      for (std::uint32_t i = 0; i < frame.light_count; ++i) {
-        registers_.lights.push_back(image_.at<LightRecord>(frame.lights + i * sizeof(LightRecord)));
-      }
-      lines_ = descriptor_lines + frame.light_count;
+      take_descriptor(image_.at<FrameDescriptor>(descriptor_), shading_, registers_);
+      take_lights(image_, registers_);
+      lines_ = descriptor_lines + registers_.descriptor.light_count;
     }
   }
   if (issued_ < lines_ && ports_.memory->request.can_push()) {

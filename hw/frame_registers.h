@@ -5,7 +5,7 @@
 
 #include "hw/datapath/shading.h"
 #include "hw/fabric/phase.h"
-#include "hw/memory/layout.h"
+#include "hw/memory/image.h"
 #include "hw/pixel_record.h"
 
 namespace artu::hw {
@@ -17,5 +17,18 @@ struct FrameRegisters {
 };
 
 inline constexpr std::uint32_t maximum_lights = 64;
+
+inline void take_descriptor(const FrameDescriptor& frame, const ShadingConfig& shading, FrameRegisters& registers) {
+  registers.descriptor = frame;
+  registers.shading = {frame.ambient, frame.sky_nadir, frame.sky_zenith, shading.max_depth, shading.min_weight};
+}
+
+/// The lights that the descriptor in the registers points to.
+inline void take_lights(const MemoryImage& image, FrameRegisters& registers) {
+  registers.lights.clear();
+  for (std::uint32_t i = 0; i < registers.descriptor.light_count; ++i) {
+    registers.lights.push_back(image.at<LightRecord>(registers.descriptor.lights + i * sizeof(LightRecord)));
+  }
+}
 
 }  // namespace artu::hw

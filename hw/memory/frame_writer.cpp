@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hw/selective/candidate.h"
+
 namespace artu::hw {
 
 FrameWriter::FrameWriter(sc_core::sc_module_name name, ClockDomain& domain, const SelectiveConfig& selective,
@@ -126,12 +128,7 @@ bool FrameWriter::write(const PixelToken& pixel, Cycle now) {
   const Address color = frame.frame_buffer + index * 4;
   const Address hit_class = frame.hit_classes + index;
   if (!combine(pixel, color, hit_class, now)) return false;
-  std::uint8_t* bytes = &image_.at<std::uint8_t>(color);
-  bytes[0] = pixel.r;
-  bytes[1] = pixel.g;
-  bytes[2] = pixel.b;
-  bytes[3] = 255;
-  image_.at<std::uint8_t>(hit_class) = static_cast<std::uint8_t>(pixel.hit_class);
+  store_pixel(frame, image_, pixel.x, pixel.y, {pixel.r, pixel.g, pixel.b}, pixel.hit_class);
   if (records_ != nullptr) {
     PixelRecord& record = (*records_)[std::size_t{pixel.y} * frame.width + pixel.x];
     record.r = pixel.r;

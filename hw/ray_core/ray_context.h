@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hw/datapath/hit_tests.h"
-#include "hw/datapath/shading.h"
+#include "hw/datapath/pixel_rays.h"
 #include "hw/datapath/texture.h"
 #include "hw/fabric/timeline.h"
 #include "hw/pixel_record.h"
@@ -22,20 +22,9 @@ using Slot = std::uint16_t;
 /// Token: the dynamic tree of the frame is built.
 struct TreeBuilt {};
 
-enum class RayKind : std::uint8_t { primary, shadow, reflection, refraction };
-inline constexpr std::size_t ray_kinds = 4;
-
 /// A pixel to trace: 16 + 16 bits.
 struct PixelJob {
   std::uint16_t x = 0, y = 0;
-};
-
-inline constexpr std::size_t maximum_depth = 16;
-
-struct PendingRay {
-  Vector origin, direction, weight;
-  RayKind kind = RayKind::reflection;
-  std::uint8_t depth = 0;
 };
 
 struct RayContext {
@@ -72,8 +61,7 @@ struct RayContext {
   bool texels_fetched = false;
   std::uint32_t light = 0;
   Vector contribution;  // of the light whose shadow ray is in flight
-  std::array<PendingRay, maximum_depth + 2> pending;
-  std::uint32_t pending_count = 0;
+  PendingRays pending;
   Cycle finish_at = 0;  // when the pixel's last sum leaves the pipeline
 
   // The primary ray's hit, for the pixel's hit class and record.

@@ -17,7 +17,7 @@ void RayGenerator::start(Slot slot, const PixelJob& job) {
   context.weight = {1, 1, 1};
   context.kind = RayKind::primary;
   context.depth = 0;
-  context.pending_count = 0;
+  context.pending.clear();
   context.ray = primary_ray(registers_.descriptor.camera, job.x, job.y);
   if (!is_zero(context.ray.direction)) hit_tests_.set_up(context.ray);
 }

@@ -70,20 +70,11 @@ bool Shading::request(bool& blocked) {
   return true;
 }
 
-Vector Shading::texture_of(const RayContext& context, const MaterialRecord& material) const {
-  if (material.texels == 0) return {1, 1, 1};
-  std::array<std::uint32_t, 4> texels{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    texels[i] = image_.at<std::uint32_t>(
-        texel_address(material.texels, material.width, context.footprint.x[i & 1], context.footprint.y[i >> 1]));
-  }
-  return steps_.filter(context.footprint, texels);
-}
-
 void Shading::shade(Slot slot, Cycle now) {
   RayContext& context = contexts_[slot];
   const auto& material = image_.at<MaterialRecord>(context.material);
-  const Vector base = steps_.begin_shading(registers_.shading, context.surface, material, texture_of(context, material),
+  const Vector base = steps_.begin_shading(registers_.shading, context.surface, material,
+                                           texture_at(steps_, image_, material, context.footprint),
                                            context.ray.direction, context.weight, context.point);
   context.sum = steps_.add_weighted(context.sum, context.weight, base);
   context.light = 0;
@@ -94,13 +85,10 @@ void Shading::shade(Slot slot, Cycle now) {
 /// Goes on with the lights from context.light; the first that needs a shadow ray sends one off.
 void Shading::lights(Slot slot, Cycle now, std::uint32_t latency) {
   RayContext& context = contexts_[slot];
-  std::uint32_t looked_at = 0;
+  const std::uint32_t first = context.light;
   ShadowRay shadow;
-  bool found = false;
-  while (!found && context.light < registers_.lights.size()) {
-    found = steps_.light_contribution(context.point, registers_.lights[context.light++], shadow);
-    ++looked_at;
-  }
+  const bool found = next_shadow_ray(steps_, registers_.lights, context.point, context.light, shadow);
+  const std::uint32_t looked_at = context.light - first;
   lights_ += looked_at;
   lights_skipped_ += looked_at - (found ? 1 : 0);
   shader_free_ = now + std::max<std::uint32_t>(looked_at, 1);
@@ -115,17 +103,7 @@ void Shading::lights(Slot slot, Cycle now, std::uint32_t latency) {
     return;
   }
   if (context.depth < registers_.shading.max_depth) {
-    const NextRays next = steps_.next_rays(registers_.shading, context.point);
-    const auto depth = static_cast<std::uint8_t>(context.depth + 1);
-    // Last in, first out: the reflection ray is followed to its end before the refraction ray.
-    if (next.refraction) {
-      context.pending[context.pending_count++] = {context.point.inside, next.refraction_direction,
-                                                  next.refraction_weight, RayKind::refraction, depth};
-    }
-    if (next.reflection) {
-      context.pending[context.pending_count++] = {context.point.outside, next.reflection_direction,
-                                                  next.reflection_weight, RayKind::reflection, depth};
-    }
+    context.pending.add(steps_.next_rays(registers_.shading, context.point), context.point, context.depth);
   }
   next_ray(slot, now, latency + pipelines_.next_ray);
 }
@@ -133,12 +111,12 @@ void Shading::lights(Slot slot, Cycle now, std::uint32_t latency) {
 /// The next ray of the pixel, or its end.
 void Shading::next_ray(Slot slot, Cycle now, std::uint32_t latency) {
   RayContext& context = contexts_[slot];
-  if (context.pending_count == 0) {
+  if (context.pending.empty()) {
     context.finish_at = now + latency;
     finish_queue_.push(slot);
     return;
   }
-  const PendingRay& ray = context.pending[--context.pending_count];
+  const PendingRay& ray = context.pending.take();
   context.ray.origin = ray.origin;
   context.ray.direction = ray.direction;
   context.ray.tmax = two_pow_100;

@@ -78,7 +78,6 @@ class Shading : public Block {
   void shade(Slot slot, Cycle now);
   void lights(Slot slot, Cycle now, std::uint32_t latency);
   void next_ray(Slot slot, Cycle now, std::uint32_t latency);
-  Vector texture_of(const RayContext& context, const MaterialRecord& material) const;
 
   const FrameRegisters& registers_;
   const MemoryImage& image_;

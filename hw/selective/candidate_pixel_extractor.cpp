@@ -73,41 +73,6 @@ void CandidatePixelExtractor::open_window(Lane& lane) {
   if (lane.walk.done()) lanes_.erase(lanes_.begin() + (&lane - lanes_.data()));
 }
 
-Neighbour CandidatePixelExtractor::neighbour(std::int64_t x, std::int64_t y) const {
-  const FrameDescriptor& frame = registers_.descriptor;
-  if (x < 0 || y < 0 || x >= frame.width || y >= frame.height) return {};
-  const std::uint64_t index = static_cast<std::uint64_t>(y) * frame.pitch + static_cast<std::uint64_t>(x);
-  const std::uint8_t* bytes = &image_.at<std::uint8_t>(frame.frame_buffer + index * 4);
-  const auto hit_class = static_cast<HitClass>(image_.at<std::uint8_t>(frame.hit_classes + index));
-  return {true, hit_class, {bytes[0], bytes[1], bytes[2]}};
-}
-
-Candidate CandidatePixelExtractor::candidate(const Window& window, std::uint32_t x) const {
-  const Pass& pass = window.pass;
-  const std::uint32_t y = window.span.y;
-  Candidate c;
-  c.x = static_cast<std::uint16_t>(x);
-  c.y = static_cast<std::uint16_t>(y);
-  c.h = static_cast<std::uint8_t>(pass.h);
-  c.kind = pass.kind;
-  c.pass = static_cast<std::uint8_t>(window.number);
-  const unsigned finished = pass.finished_neighbours();
-  const std::int64_t h = pass.h;
-  for (std::size_t i = 0; i < c.ring.size(); ++i) {
-    if ((finished >> i & 1) == 0) continue;
-    const auto place = static_cast<std::int64_t>(i < 4 ? i : i + 1);  // of 3 x 3
-    c.ring[i] = neighbour(x + (place % 3 - 1) * h, y + (place / 3 - 1) * h);
-  }
-  const auto compare = [&c](std::size_t first, std::size_t second) {
-    if (!c.ring[first].finished || !c.ring[second].finished) return false;
-    c.pairs.color[c.pairs.count++] = {c.ring[first].color, c.ring[second].color};
-    return true;
-  };
-  const bool complete = (!pass.compares_rows() || compare(3, 4)) && (!pass.compares_columns() || compare(1, 6));
-  if (!complete) c.pairs = {};
-  return c;
-}
-
 Activity CandidatePixelExtractor::tick(Cycle now) {
   bool moved = false, blocked_mem = false, blocked_out = false;
   if (memory_->response.can_pop()) {
@@ -149,7 +114,7 @@ Activity CandidatePixelExtractor::tick(Cycle now) {
     } else if (!out_->can_push()) {
       blocked_out = true;
     } else {
-      out_->push(candidate(window, x_));
+      out_->push(candidate_at(registers_.descriptor, image_, window.pass, window.number, x_, window.span.y));
       ++candidates_;
       moved = true;
       x_ += window.pass.dx;

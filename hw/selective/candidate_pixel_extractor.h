@@ -18,9 +18,8 @@
 #include "hw/frame_registers.h"
 #include "hw/memory/cache.h"
 #include "hw/memory/image.h"
-#include "hw/selective/pass_plan.h"
+#include "hw/selective/candidate.h"
 #include "hw/selective/scoreboard.h"
-#include "hw/selective/tokens.h"
 
 namespace artu::hw {
 
@@ -71,8 +70,6 @@ class CandidatePixelExtractor : public Block {
   Area looked_at(const Lane& lane) const;
   void open_window(Lane& lane);
   void want_row(Window& window, std::uint32_t left, std::uint32_t right, std::uint32_t y);
-  Candidate candidate(const Window& window, std::uint32_t x) const;
-  Neighbour neighbour(std::int64_t x, std::int64_t y) const;
 
   const SelectiveConfig config_;
   const PassPlan plan_;

@@ -1,24 +1,20 @@
 #include "hw/selective/render_executor.h"
 
+#include "hw/selective/candidate.h"
+
 namespace artu::hw {
 
 void RenderExecutor::record(const Candidate& candidate, int difference, Decision decision) {
   if (records_ == nullptr) return;
   PixelRecord& record = (*records_)[std::size_t{candidate.y} * registers_.descriptor.width + candidate.x];
-  record.pass = candidate.pass;
-  record.n_static = candidate.counts.n_static;
-  record.n_dynamic = candidate.counts.n_dynamic;
-  record.threshold = candidate.threshold;
-  record.difference = static_cast<std::int16_t>(difference);
-  record.decision = decision;
+  note_decision(candidate, difference, decision, record);
 }
 
 Activity RenderExecutor::tick(Cycle now) {
   if (!in_->can_pop()) return {State::stall_in};
   const Candidate& candidate = in_->front();
   const int difference = color_difference(metric_, candidate.pairs);
-  // The sums of a centre's two pairs are compared instead of their means.
-  if (candidate.pairs.count != 0 && difference <= candidate.pairs.count * candidate.threshold) {
+  if (is_interpolated(candidate.pairs, difference, candidate.threshold)) {
     if (!interpolated_->can_push()) return {State::stall_out};
     const Rgb mean = interpolate(candidate.pairs);
     interpolated_->push(

@@ -9,6 +9,7 @@
 #include "hw/pixel_record.h"
 #include "sim/driver/fidelity.h"
 #include "sim/driver/tree_quality.h"
+#include "traces/frame.h"
 
 namespace artu::sim {
 
@@ -36,5 +37,8 @@ struct FrameOutcome {
   std::vector<std::string> violations;  // accounting laws that do not hold: must be empty
   double simulation_seconds = 0;        // the model alone; loading and tree builds are not in it
 };
+
+/// What the counters say, without cycles, pixels and wall time.
+FrameOutcome outcome_of(const traces::Scene& scene, const traces::Frame& frame, hw::Statistics statistics);
 
 }  // namespace artu::sim

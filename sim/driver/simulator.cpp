@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "sim/driver/image_builder.h"
+#include "sim/driver/stack_check.h"
 #include "traces/error.h"
 
 namespace artu::sim {
@@ -33,33 +34,11 @@ hw::RunMode mode_of(const SimulationOptions& options) {
           options.log_sink};
 }
 
-std::uint64_t sum(const hw::Statistics& statistics, const std::string& name) {
-  std::uint64_t total = 0;
-  for (const hw::Statistic& s : statistics) {
-    if (s.name == name) total += s.value;
-  }
-  return total;
-}
-
 }  // namespace
 
 FrameOutcome outcome_of(const traces::Scene& scene, const traces::Frame& frame, hw::FrameResult result) {
-  FrameOutcome outcome;
-  outcome.index = frame.index;
-  outcome.width = scene.width;
-  outcome.height = scene.height;
+  FrameOutcome outcome = outcome_of(scene, frame, std::move(result.statistics));
   outcome.cycles = result.cycles;
-  outcome.static_triangles = scene.static_geometry.triangle_count();
-  outcome.dynamic_triangles = frame.dynamic.triangle_count();
-  outcome.rays_primary = sum(result.statistics, "primary_rays");
-  outcome.rays_shadow = sum(result.statistics, "shadow_rays");
-  outcome.rays_reflection = sum(result.statistics, "reflection_rays");
-  outcome.rays_refraction = sum(result.statistics, "refraction_rays");
-  outcome.node_visits = sum(result.statistics, "node_visits");
-  outcome.triangle_tests = sum(result.statistics, "triangle_tests");
-  outcome.dram_read_bytes = sum(result.statistics, "read_bytes");
-  outcome.dram_write_bytes = sum(result.statistics, "write_bytes");
-  outcome.statistics = std::move(result.statistics);
   outcome.violations = std::move(result.violations);
   return outcome;
 }
@@ -87,18 +66,6 @@ struct Simulator::Impl {
     }
   }
 
-  void check_stack(const traces::Frame& frame) const {
-    const std::uint32_t needed = builder.stack_needed();
-    const bool refuse = config.core.stack_overflow == hw::StackOverflow::refuse;
-    const std::uint32_t room = refuse ? config.core.stack_entries : hw::maximum_stack;
-    if (needed <= room) return;
-    throw InputError(
-        scene.name + ": frame " + std::to_string(frame.index),
-        "the tree needs a stack of " + std::to_string(needed) + " entries; " +
-            (refuse ? "core.stack_entries is " : "no more can be spilled or found again than ") + std::to_string(room) +
-            (refuse && needed <= hw::maximum_stack ? "; with core.stack_overflow = spill fewer are enough" : ""));
-  }
-
   const traces::Scene& scene;
   const hw::UnitConfig config;
   const Fidelity fidelity;
@@ -120,7 +87,7 @@ FrameOutcome Simulator::run(const traces::Frame& frame) {
   Impl& impl = *impl_;
   impl.context.enter();
   const hw::Address descriptor = impl.builder.add(frame);
-  impl.check_stack(frame);
+  check_stack(impl.scene.name, frame.index, impl.builder.stack_needed(), impl.config.core);
 
   hw::PixelRecords pixels(std::size_t{impl.scene.width} * impl.scene.height);
   const auto before = std::chrono::steady_clock::now();
