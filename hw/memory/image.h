@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstring>
-#include <vector>
 
 #include "hw/memory/layout.h"
 
@@ -10,6 +9,11 @@ namespace artu::hw {
 
 class MemoryImage {
  public:
+  MemoryImage() = default;
+  MemoryImage(const MemoryImage& other);
+  MemoryImage& operator=(const MemoryImage&) = delete;
+  ~MemoryImage();
+
   /// Room for `bytes`, zeroed, on a line boundary; returns its address.  Address 0 is never given out.
   Address allocate(std::uint64_t bytes);
   std::uint64_t size() const { return top_; }
@@ -26,14 +30,14 @@ class MemoryImage {
   }
 
  private:
-  struct alignas(64) Line {
-    std::uint8_t bytes[64];
-  };
-  std::uint8_t* base() { return reinterpret_cast<std::uint8_t*>(lines_.data()); }
-  const std::uint8_t* base() const { return reinterpret_cast<const std::uint8_t*>(lines_.data()); }
+  static constexpr std::size_t alignment = 64;
+  std::uint8_t* base() { return base_; }
+  const std::uint8_t* base() const { return base_; }
+  void grow(std::uint64_t bytes);
 
-  std::vector<Line> lines_;
-  std::uint64_t top_ = 64;
+  void* block_ = nullptr;  // of malloc: it grows by realloc, which moves pages and does not copy gigabytes
+  std::uint8_t* base_ = nullptr;
+  std::uint64_t capacity_ = 0, top_ = 64;
 };
 
 }  // namespace artu::hw

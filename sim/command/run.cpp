@@ -51,7 +51,8 @@ void report_violations(const FrameReport& frame) {
 
 /// One frame at a time in each process: memory does not grow with their number.
 RunResult run_frames(const FrameSource& source, FrameSimulator& simulator, const hw::UnitConfig& unit,
-                     const ref::Golden* golden, const RunOptions& options, RunReport& report) {
+                     const ref::Golden* golden, const RunOptions& options, const MemoryMeter& memory,
+                     RunReport& report) {
   RunResult result;
   const FrameRange range = source.range();
   report.begin_pictures(range.count(), source.scene().fps);
@@ -68,6 +69,7 @@ RunResult run_frames(const FrameSource& source, FrameSimulator& simulator, const
     if (every_pixel) full = full_render_of(every_pixel->render(frame));
     FrameReport written = report.write(outcome, unit, full ? &*full : nullptr);
     if (golden) compare_frame(golden->render(frame), outcome, written.check);
+    written.totals.memory = memory.use();
     return written;
   };
   Progress progress(range.count(), "frames", options.quiet);
@@ -109,12 +111,14 @@ int run_command(const RunOptions& options) {
   if (!options.dry_run) report = std::make_unique<RunReport>(options);
 
   std::vector<std::string> log;
+  MemoryMeter memory;
   const FrameSource source(options.source, log);
   SimulationOptions simulation = options.simulation;
   simulation.log_sink = [](const std::string& line) { fmt::print(stderr, "log: {}\n", line); };
   if (report) simulation.memory_observer = report->memory_observer();
   const auto simulator = make_simulator(source.scene(), unit, simulation,
                                         [&source](std::uint32_t index) { return source.first_from(index); });
+  memory.loaded();
   if (options.dry_run) {
     print_notes(log, options.quiet);
     print_dry_run(options, source);
@@ -123,7 +127,7 @@ int run_command(const RunOptions& options) {
   std::unique_ptr<ref::Golden> golden;
   if (options.check) golden = std::make_unique<ref::Golden>(source.scene(), golden_settings(unit));
 
-  const RunResult result = run_frames(source, *simulator, unit, golden.get(), options, *report);
+  const RunResult result = run_frames(source, *simulator, unit, golden.get(), options, memory, *report);
   Manifest manifest = manifest_of(options.command, options.source.path, source);
   manifest.checked = options.check;
   manifest.simulation = options.simulation;

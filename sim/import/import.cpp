@@ -68,6 +68,18 @@ struct SceneSource::Impl {
     return mesh;
   }
 
+  /// What only stands still was emitted for good.
+  void release_static_geometry() {
+    Model& model = loaded.model;
+    std::vector<char> needed(model.shapes.size(), 0);
+    for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+      if (model.nodes[n].shape >= 0 && dynamic[n]) needed[static_cast<std::size_t>(model.nodes[n].shape)] = 1;
+    }
+    for (std::size_t s = 0; s < model.shapes.size(); ++s) {
+      if (!needed[s]) model.shapes[s].primitives.clear();
+    }
+  }
+
   void count_frames() {
     double longest = loaded.duration;
     if (longest <= 0) {
@@ -154,6 +166,7 @@ struct SceneSource::Impl {
     count_frames();
     const Pose pose = pose_at(model, 0);
     scene.static_geometry = emit(pose, false);
+    release_static_geometry();
     scene.materials = std::move(model.materials);
     scene.textures = std::move(model.textures);
     scene.name = std::filesystem::path(path).filename().string();

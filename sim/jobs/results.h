@@ -58,6 +58,7 @@ void transfer(A& archive, Totals& t) {
   pass(archive, t.simulation_seconds);
   pass(archive, t.statistics);
   pass(archive, t.estimates);
+  pass(archive, t.memory);
 }
 
 /// The kinds of rays are literals of the program, which all its processes have at the same place.

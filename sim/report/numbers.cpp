@@ -158,6 +158,7 @@ void add(Totals& sum, const Totals& frame) {
   sum.simulation_seconds += frame.simulation_seconds;
   add(sum.statistics, frame.statistics);
   add(sum.estimates, frame.estimates);
+  sum.memory.keep_larger(frame.memory);
 }
 
 std::vector<Number> frame_numbers(const Totals& t) {
@@ -229,6 +230,14 @@ std::vector<Number> simulation_numbers(const Totals& t, double golden_seconds) {
       {"cycles_per_second", ratio(static_cast<double>(t.cycles), seconds), "cycles/s", "simulation speed"},
   };
   if (!has_cycles(t.fidelity)) leave_out_time(numbers);
+  const auto triangles = static_cast<double>(t.static_triangles + t.dynamic_triangles);
+  const double pixels = ratio(static_cast<double>(t.pixels()), static_cast<double>(t.frames));
+  numbers.insert(numbers.end(),
+                 {{"peak_bytes", t.memory.peak, "bytes", "most memory of the host at any time (of a process)"},
+                  {"bytes_per_triangle", ratio(static_cast<double>(t.memory.loading), triangles), "bytes",
+                   "memory that loading the scene and building trees took at most, a triangle"},
+                  {"bytes_per_pixel", ratio(static_cast<double>(t.memory.frames), pixels), "bytes",
+                   "memory that the frames took at most on top, a pixel of one frame"}});
   if (golden_seconds >= 0) {
     numbers.push_back({"golden_seconds", golden_seconds, "s", "wall time of the golden model, without tree builds"});
   }

@@ -8,6 +8,7 @@
 
 #include "hw/fabric/statistics.h"
 #include "sim/driver/frame_outcome.h"
+#include "sim/report/memory_use.h"
 
 namespace artu::sim {
 
@@ -33,6 +34,7 @@ struct Totals {
   double simulation_seconds = 0;
   hw::Statistics statistics;        // the blocks' counters
   std::vector<Estimate> estimates;  // the intervals of those that are estimates
+  MemoryUse memory;                 // of the host
 
   std::uint64_t rays() const { return rays_primary + rays_shadow + rays_reflection + rays_refraction; }
   std::uint64_t pixels() const { return sampled + interpolated + traced; }
@@ -48,7 +50,8 @@ void add(Totals& sum, const Totals& frame);
 std::vector<Number> frame_numbers(const Totals& totals);
 /// Over all frames, at the configured clock.
 std::vector<Number> derived_numbers(const Totals& totals, std::uint32_t clock_mhz);
-/// Wall times of the simulation: the only numbers that differ from run to run.  `golden_seconds` below 0: no check.
+/// Wall times and memory of the simulation: the only numbers that differ from run to run.  `golden_seconds` below 0: no
+/// check.
 std::vector<Number> simulation_numbers(const Totals& totals, double golden_seconds);
 
 /// As in stats.txt.

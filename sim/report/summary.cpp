@@ -63,6 +63,9 @@ std::string format_summary(const SummaryHeading& h, const Totals& sum, const Ene
   const std::string cycles = grouped(value_of(simulation, "cycles_per_second")) + " cycles/s";
   line("simulation", fmt::format("{:.2f} s, {} rays/s{}", value_of(simulation, "wall_seconds"),
                                  grouped(value_of(simulation, "rays_per_second")), timed ? ", " + cycles : ""));
+  line("memory", fmt::format("{} MB, {:.0f} bytes per triangle, {:.0f} bytes per pixel",
+                             grouped(value_of(simulation, "peak_bytes") / 1e6),
+                             value_of(simulation, "bytes_per_triangle"), value_of(simulation, "bytes_per_pixel")));
   return out;
 }
 

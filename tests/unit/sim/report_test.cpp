@@ -181,7 +181,8 @@ TEST_F(ReportTest, StatsJsonHasTheKeysOfItsSchema) {
   EXPECT_EQ(json.at("derived").at("fps"), 500e3);
   EXPECT_TRUE(json.at("derived").contains("mrays_per_second"));
   EXPECT_TRUE(json.at("check").is_null());
-  for (const char* name : {"wall_seconds", "rays_per_second", "node_visits_per_second", "cycles_per_second"}) {
+  for (const char* name : {"wall_seconds", "rays_per_second", "node_visits_per_second", "cycles_per_second",
+                           "peak_bytes", "bytes_per_triangle", "bytes_per_pixel"}) {
     EXPECT_TRUE(json.at("simulation").contains(name)) << name;
   }
   EXPECT_FALSE(json.at("simulation").contains("golden_seconds"));
