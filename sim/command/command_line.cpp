@@ -23,6 +23,7 @@ constexpr const char* examples = R"(Examples:
   artu precision scene.glb --bits 8-12,23                what narrow datapaths cost and save
   artu scaling scene.glb --vary core.count=1,2,4,8       what more cores gain, and what limits them
   artu quality scene.glb --references 4,8,16,32          what selective rendering saves, and what the picture loses
+  artu bench                                             how fast every mode is, and how far off
   artu diff a.png b.png                                  how far two pictures are apart
   artu stress                                            rays that are hard to get right, against every kind of tree
   artu run --list-params                                 what can be configured
@@ -244,6 +245,42 @@ void add_quality_options(CLI::App& command, QualityOptions& quality) {
   command.add_flag("--quiet", quality.quiet, "No tables, no notes, no progress bar")->group("Output");
 }
 
+void add_bench_options(CLI::App& command, BenchOptions& bench) {
+  command
+      .add_option(
+          "SCENE|TRACE|FOLDER", bench.scenes,
+          "Scenes, traces, or folders of them; default the sample stage, glmark2's bunny and the adversarial scene")
+      ->option_text(" ");
+  command.add_option("--frame", bench.frame, "Of every scene; default its first")->option_text("N")->group("Input");
+  command.add_option("--size", bench.size, fmt::format("Picture of a scene; default {}", bench.size))
+      ->option_text("WxH")
+      ->group("Input");
+  add_configuration(command, bench);
+  command
+      .add_option("--fidelity", bench.fidelity,
+                  "Modes, between commas: golden (the golden model) and those of `artu run`; default all")
+      ->option_text("LIST")
+      ->group("Measurement");
+  command.add_option("--repeats", bench.repeats, fmt::format("Rounds that are timed; default {}", bench.repeats))
+      ->option_text("N")
+      ->check(CLI::Range(1u, 1000u))
+      ->group("Measurement");
+  command
+      .add_option_function<std::string>(
+          "--seed", [&bench](const std::string& seed) { bench.seed = parse_seed(seed); },
+          "Of the order in which modes take turns, and of sampled; default 1")
+      ->option_text("N")
+      ->group("Measurement");
+  command
+      .add_flag_callback(
+          "--no-growth", [&bench] { bench.growth = false; },
+          "Leave out how time and memory grow with pixels, triangles and cores")
+      ->group("Measurement");
+  command.add_option("-o,--output", bench.output, "Folder of the report")->option_text("DIR")->group("Output");
+  command.add_flag("--force", bench.force, "Replace an earlier run's folder")->group("Output");
+  command.add_flag("--quiet", bench.quiet, "No tables, no notes, no progress bar")->group("Output");
+}
+
 /// One line, without the full stop.
 std::string one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -256,11 +293,9 @@ void refuse_unknown_command(const CLI::App& app, int argc, const char* const* ar
   if (argc < 2 || argv[1][0] == '-') return;
   const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(is_named).empty()) return;
-  throw InputError(
-      "command line",
-      fmt::format(
-          "unknown command \"{}\"; run, check, import, precision, scaling, quality, diff or stress would be right",
-          one_line(argv[1])));
+  throw InputError("command line", fmt::format("unknown command \"{}\"; run, check, import, precision, scaling, "
+                                               "quality, bench, diff or stress would be right",
+                                               one_line(argv[1])));
 }
 
 int parse_and_run(int argc, const char* const* argv) {
@@ -321,6 +356,13 @@ int parse_and_run(int argc, const char* const* argv) {
   add_quality_options(*command, quality);
   command->callback([&] { chosen = [&] { return quality_command(quality); }; });
 
+  BenchOptions bench;
+  command = app.add_subcommand("bench",
+                               "Time every mode of simulation and the golden model on the same frames, in turns: run "
+                               "time, memory, error of the cycles, and how they grow");
+  add_bench_options(*command, bench);
+  command->callback([&] { chosen = [&] { return bench_command(bench); }; });
+
   command = app.add_subcommand("diff",
                                "How far two PNG pictures are apart: PSNR, SSIM, FLIP, largest difference, share of "
                                "pixels; exit code 0 whenever they could be compared");
@@ -336,7 +378,7 @@ int parse_and_run(int argc, const char* const* argv) {
   command->callback([&] { chosen = [&] { return stress_command(stress); }; });
 
   run.command.assign(argv, argv + argc);
-  precision.command = scaling.command = quality.command = run.command;
+  precision.command = scaling.command = quality.command = bench.command = run.command;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

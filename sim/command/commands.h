@@ -24,6 +24,7 @@ int import_command(const ImportOptionsOfCommand& options);
 int scaling_command(const ScalingOptions& options);
 int quality_command(const QualityOptions& options);
 int precision_command(const PrecisionOptions& options);
+int bench_command(const BenchOptions& options);
 int diff_command(const std::string& a, const std::string& b);
 int stress_command(const StressCommandOptions& options);
 

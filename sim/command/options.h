@@ -68,6 +68,20 @@ struct QualityOptions {
   std::vector<std::string> command;  // the words of the command line
 };
 
+struct BenchOptions {
+  std::vector<std::string> scenes;     // files and folders; none: the samples
+  std::optional<std::uint32_t> frame;  // none: the first
+  std::string size = "320x180";        // of scenes; a trace has its own
+  std::string fidelity;                // names between commas; "" = all
+  std::uint32_t repeats = 5;
+  std::uint64_t seed = 1;
+  bool growth = true;
+  std::vector<std::string> config_files, assignments;
+  std::string output;  // "" = none given
+  bool force = false, quiet = false;
+  std::vector<std::string> command;  // the words of the command line
+};
+
 struct ImportOptionsOfCommand {
   SourceOptions source;
   std::string output;

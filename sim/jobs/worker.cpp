@@ -1,6 +1,7 @@
 #include "sim/jobs/worker.h"
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -155,6 +156,14 @@ std::optional<Answer> Worker::receive() {
     received_.clear();
     task_.reset();
     return answer;
+  }
+}
+
+Answer Worker::wait() {
+  while (true) {
+    pollfd polled{fd_, POLLIN, 0};
+    if (poll(&polled, 1, -1) < 0 && errno != EINTR) throw std::system_error(errno, std::generic_category(), "poll");
+    if (auto answer = receive()) return std::move(*answer);
   }
 }
 

@@ -39,6 +39,8 @@ class Worker {
   void give(std::uint64_t task);
   /// Reads what has come, without waiting; the answer when it is whole.  Throws where the process has ended.
   std::optional<Answer> receive();
+  /// Until there is one.
+  Answer wait();
 
  private:
   [[noreturn]] void ended();
