@@ -109,13 +109,16 @@ Worker::Worker(const Work& work, const std::vector<int>& siblings_fds) {
   }
   std::fflush(nullptr);
   const pid_t parent = getpid();
-  pid_ = fork();
-  if (pid_ == 0) {
+  int error = 0;
+  guard_ = std::make_unique<KillOnInterrupt>([&] {
+    const pid_t pid = fork();
+    error = errno;
+    if (pid != 0) return pid;
     close(ends[0]);
     for (const int fd : siblings_fds) close(fd);
     serve(ends[1], parent, work);
-  }
-  const int error = errno;
+  });
+  pid_ = guard_->pid();
   close(ends[1]);
   fd_ = ends[0];
   if (pid_ < 0) {
@@ -123,7 +126,6 @@ Worker::Worker(const Work& work, const std::vector<int>& siblings_fds) {
     throw InputError("--jobs",
                      std::string("no further process: ") + std::strerror(error) + "; fewer jobs would be right");
   }
-  guard_ = std::make_unique<KillOnInterrupt>(pid_);
 }
 
 Worker::~Worker() {

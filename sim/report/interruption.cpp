@@ -69,9 +69,10 @@ RemoveOnInterrupt::~RemoveOnInterrupt() {
   guarded().paths.erase(path_);
 }
 
-KillOnInterrupt::KillOnInterrupt(pid_t pid) : pid_(pid) {
+KillOnInterrupt::KillOnInterrupt(const std::function<pid_t()>& fork) {
   const std::lock_guard<std::mutex> lock(guarded().mutex);
-  guarded().processes.insert(pid_);
+  pid_ = fork();
+  if (pid_ >= 0) guarded().processes.insert(pid_);
 }
 
 KillOnInterrupt::~KillOnInterrupt() {

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <functional>
 #include <string>
 
 namespace artu::sim {
@@ -26,10 +27,13 @@ class RemoveOnInterrupt {
 /// Kills a process of ours before what it may write to is removed.
 class KillOnInterrupt {
  public:
-  explicit KillOnInterrupt(pid_t pid);
+  /// `fork` returns the process's number, below 0 if there is none.  No interruption comes between: in the process
+  /// itself, where `fork` must not return, nothing of this file may be used.
+  explicit KillOnInterrupt(const std::function<pid_t()>& fork);
   ~KillOnInterrupt();
   KillOnInterrupt(const KillOnInterrupt&) = delete;
   KillOnInterrupt& operator=(const KillOnInterrupt&) = delete;
+  pid_t pid() const { return pid_; }
 
  private:
   pid_t pid_;

@@ -205,7 +205,7 @@ TEST_F(JobsTest, AnInterruptionEndsAllProcesses) {
     const std::vector<pid_t> workers = workers_of(child);
     kill(child, signal);
     EXPECT_EQ(code_of(child), 128 + signal);
-    for (const pid_t worker : workers) EXPECT_NE(kill(worker, 0), 0) << "still there";
+    for (const pid_t worker : workers) EXPECT_NE(kill(worker, 0), 0) << "still there";  // it was waited for
     EXPECT_EQ(read("err"), "");
     EXPECT_THAT(content(), ::testing::ElementsAre("err", "moving.artu", "tiny.obj"));
   }
