@@ -277,7 +277,6 @@ void RayTracingUnit::begin_frame(Address descriptor, PixelRecords* records) {
   records_ = records;
   for (Channel* channel : channels_) channel->reset();
   timeline_.now = 0;
-  timeline_.progress = 0;
   control_unit.set_descriptor(descriptor);
   first_rendering_unit.observe(records);
   render_executor.observe(records);

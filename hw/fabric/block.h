@@ -56,7 +56,7 @@ class Block : public sc_core::sc_module {
   Cycle now() const;
   std::uint64_t cycles_in(State state) const { return cycles_[static_cast<std::size_t>(state)]; }
   /// What it did last.
-  State state() const { return after_; }
+  State state() const { return state_; }
   /// Instance path below the unit, such as "core0.traversal".
   std::string path() const;
   /// Which phases of the frame the block has a part in (bits of Phase); outside them waiting is idling.
@@ -67,6 +67,7 @@ class Block : public sc_core::sc_module {
   void log_to(LogLevel level, const LogSink& sink) {
     log_level_ = level;
     log_sink_ = &sink;
+    attention_ = true;
   }
 
  protected:
@@ -75,30 +76,46 @@ class Block : public sc_core::sc_module {
  private:
   friend class ClockDomain;
   void run(Cycle now);
+  Activity tick_with_attention(Cycle now);
   void begin_frame(Cycle now);
-  void end_frame(Cycle now) {
-    if (now != since_) account(now);
+  void enter_phase(unsigned phase);
+  void log_change(Cycle now, State before, const Activity& activity, unsigned phase_before) const;
+  /// This cycle is `state`, those that follow are `after`.
+  void account(Cycle now, State state, State after) {
+    if (state != state_) change(now, state);
+    if (after != state) {
+      last_ = state;
+      change(now + 1, after);
+    }
   }
-  void log_change(Cycle now, State before, unsigned phase_before) const;
-  void account(Cycle now) {
-    ++cycles_[static_cast<std::size_t>(state_)];
-    cycles_[static_cast<std::size_t>(after_)] += now - since_ - 1;
+  void change(Cycle now, State state) {
+    cycles_[static_cast<std::size_t>(state_)] += now - since_;
+    state_ = state;
     since_ = now;
   }
-  State in_phase(State state) const {
-    return state == State::stall_in && (phases_ & phase_) == 0 ? State::idle : state;
+  /// The frame ends before `now`.
+  void end_frame(Cycle now) {
+    if (since_ > now) {
+      --cycles_[static_cast<std::size_t>(last_)];  // the last tick was in a cycle that does not count any more
+    } else {
+      change(now, state_);
+    }
   }
+  State in_phase(State state) const { return in_phase_[static_cast<std::size_t>(state)]; }
 
   ClockDomain& domain_;
   const std::size_t index_;  // in the domain's wake list
   const std::size_t word_;   // there
   const std::uint64_t bit_;  // in the word
-  State state_ = State::idle, after_ = State::idle;
-  Cycle since_ = 0;
   unsigned phases_ = ~0u, phase_ = 1, next_phase_ = 1;
   Cycle phase_from_ = 0;
   LogLevel log_level_ = LogLevel::off;
   const LogSink* log_sink_ = nullptr;
+  bool attention_ = false;  // of a tick: see tick_with_attention
+  std::array<State, state_count> in_phase_{};
+  State state_ = State::idle;  // since since_; what was before is in cycles_
+  State last_ = State::idle;   // of the tick before since_
+  Cycle since_ = 0;
   std::array<std::uint64_t, state_count> cycles_{};
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/fabric/fifo.h"
 #include "hw/fabric/phase.h"
 
 namespace artu::hw {
@@ -35,7 +36,7 @@ void ClockDomain::begin_frame() {
   now_ = 0;
   next_ = never;
   watched_from_ = 0;
-  watched_progress_ = 0;
+  watched_moves_ = 0;
   dead_locked_ = false;
   running_ = true;
   frame_start_ = sc_core::sc_time_stamp();
@@ -145,12 +146,14 @@ void ClockDomain::step() {
 
 void ClockDomain::watch() {
   if (now_ - watched_from_ < watchdog_) return;
-  if (watched_progress_ == timeline_.progress && !anyone_busy()) {
+  std::uint64_t moves = 0;
+  for (const Channel* channel : timeline_.channels) moves += channel->moves();
+  if (watched_moves_ == moves && !anyone_busy()) {
     dead_locked_ = true;
     finish();
   }
   watched_from_ = now_;
-  watched_progress_ = timeline_.progress;
+  watched_moves_ = moves;
 }
 
 /// A busy block moves no token for as long as its computation takes, and yet it will.
@@ -161,6 +164,12 @@ bool ClockDomain::anyone_busy() const {
     }
   }
   return false;
+}
+
+inline void Block::run(Cycle now) {
+  const Activity activity = attention_ ? tick_with_attention(now) : tick(now);
+  account(now, in_phase(activity.state), in_phase(activity.after));
+  if (activity.next != never) domain_.wake(*this, activity.next);
 }
 
 void ClockDomain::work() {
@@ -215,15 +224,35 @@ std::string Block::path() const {
 void Block::set_phase(unsigned phase) {
   next_phase_ = phase;
   phase_from_ = domain_.now() + 1;
+  attention_ = true;
   domain_.wake(*this, phase_from_);
+}
+
+void Block::enter_phase(unsigned phase) {
+  phase_ = phase;
+  for (std::size_t i = 0; i < state_count; ++i) in_phase_[i] = static_cast<State>(i);
+  if ((phases_ & phase_) == 0) in_phase_[static_cast<std::size_t>(State::stall_in)] = State::idle;
 }
 
 void Block::begin_frame(Cycle now) {
   cycles_.fill(0);
-  state_ = after_ = State::idle;
+  state_ = last_ = State::idle;
   since_ = now;
-  phase_ = next_phase_ = 1;
+  next_phase_ = 1;
   phase_from_ = 0;
+  enter_phase(1);
+  attention_ = log_level_ != LogLevel::off;
+}
+
+/// What few ticks need: a phase that begins, a log.
+Activity Block::tick_with_attention(Cycle now) {
+  const State before = state_;
+  const unsigned phase_before = phase_;
+  if (now >= phase_from_ && phase_ != next_phase_) enter_phase(next_phase_);
+  attention_ = phase_ != next_phase_ || log_level_ != LogLevel::off;
+  const Activity activity = tick(now);
+  if (log_level_ != LogLevel::off) log_change(now, before, activity, phase_before);
+  return activity;
 }
 
 const char* state_name(State state) {
@@ -231,28 +260,17 @@ const char* state_name(State state) {
   return names[static_cast<std::size_t>(state)];
 }
 
-void Block::log_change(Cycle now, State before, unsigned phase_before) const {
+void Block::log_change(Cycle now, State before, const Activity& activity, unsigned phase_before) const {
+  const State state = in_phase(activity.state), after = in_phase(activity.after);
   std::string what;
   if (phase_ != phase_before) what = std::string("phase ") + phase_name(phase_);
-  if (log_level_ == LogLevel::debug && (state_ != before || after_ != state_)) {
-    what += (what.empty() ? "" : ", ") + std::string(state_name(state_));
-    if (after_ != state_) what += " for a cycle, then " + std::string(state_name(after_));
+  if (log_level_ == LogLevel::debug && (state != before || after != state)) {
+    what += (what.empty() ? "" : ", ") + std::string(state_name(state));
+    if (after != state) what += " for a cycle, then " + std::string(state_name(after));
   }
   if (what.empty()) return;
   const std::string detail = describe();
   (*log_sink_)(std::to_string(now) + " " + path() + ": " + what + (detail.empty() ? "" : "; " + detail));
-}
-
-void Block::run(Cycle now) {
-  account(now);
-  const State before = after_;
-  const unsigned phase_before = phase_;
-  if (now >= phase_from_) phase_ = next_phase_;
-  const Activity activity = tick(now);
-  state_ = in_phase(activity.state);
-  after_ = in_phase(activity.after);
-  if (log_level_ != LogLevel::off) log_change(now, before, phase_before);
-  if (activity.next != never) domain_.wake(*this, activity.next);
 }
 
 }  // namespace artu::hw

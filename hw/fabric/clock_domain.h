@@ -86,7 +86,7 @@ class ClockDomain : public sc_core::sc_module {
 
   Cycle now_ = 0, next_ = never;  // the cycle that is worked on, and the next with a wake
   Cycle watchdog_ = never, watched_from_ = 0;
-  std::uint64_t watched_progress_ = 0;
+  std::uint64_t watched_moves_ = 0;
   bool dead_locked_ = false;
   bool running_ = false, clocked_ = false, shuffle_ = false;
   std::mt19937_64 random_;
@@ -106,8 +106,10 @@ inline void ClockDomain::wake(const Block& block, Cycle cycle) {
     far_.push_back({cycle, block.index_});
     far_next_ = far_next_ < cycle ? far_next_ : cycle;
   }
-  if (cycle < next_) next_ = cycle;
-  if (!timeline_.driven && running_) schedule();
+  if (cycle < next_) {
+    next_ = cycle;
+    if (!timeline_.driven && running_) schedule();
+  }
 }
 
 }  // namespace artu::hw

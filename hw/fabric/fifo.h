@@ -31,6 +31,9 @@ class Channel {
     producer_domain_ = &producer.domain();
     consumer_domain_ = &consumer.domain();
     consumer_now_ = consumer_domain_->clock();
+    same_domain_ = producer_domain_ == consumer_domain_;
+    rare_kind_ = stalls_ || !same_domain_;
+    timeline_->channels.push_back(this);
   }
   virtual void reset() = 0;
   /// Keeps a bit of `word` set while anything is in the channel: its consumer need not look at empty ones.
@@ -40,35 +43,49 @@ class Channel {
   }
   /// Adds a random latency to pushes; order is kept.
   void stall_randomly(std::uint64_t seed) {
-    stalls_ = true;
+    stalls_ = rare_kind_ = true;
     seed_ = seed;
   }
 
   const std::string& name() const { return name_; }
   std::uint32_t capacity() const { return capacity_; }
-  std::uint32_t size() const { return count_; }
+  std::uint32_t size() const { return tail_ - head_; }
+  /// Pushes and pops so far: the watchdog looks whether any have been made.
+  std::uint64_t moves() const { return std::uint64_t{head_} + tail_; }
   const Block* producer() const { return producer_; }
   const Block* consumer() const { return consumer_; }
 
  protected:
-  bool same_domain() const { return producer_domain_ == consumer_domain_; }
+  /// Now, in the consumer's cycles: the last one that began.
+  Cycle consumer_cycle() const { return consumer_domain_->cycle_after(timeline_->now) - 1; }
+  /// The producer's next cycle.
+  Cycle producer_next() const {
+    return same_domain_ ? *consumer_now_ + 1 : producer_domain_->cycle_after(timeline_->now);
+  }
+  /// When a token that is pushed now arrives, where that is not just a number of the present cycle: between domains, or
+  /// with random stalls.
+  Cycle arrival_of_rare_kind() {
+    const Cycle ready = consumer_cycle() + latency_;
+    return stalls_ && random_() % 4 == 0 ? ready + random_() % 16 : ready;
+  }
 
   std::string name_;
   std::uint64_t seed_ = 0;
   std::minstd_rand random_;
   std::uint64_t own_flags_ = 0;
-  // What every push and pop needs comes last, beside the entries of the derived class.
   Block* producer_ = nullptr;
   Block* consumer_ = nullptr;
-  Timeline* timeline_ = nullptr;
   ClockDomain* producer_domain_ = nullptr;
+  bool same_domain_ = true, stalls_ = false;
+  // What every push and pop needs comes last, beside the entries of the derived class.
+  Timeline* timeline_ = nullptr;
   ClockDomain* consumer_domain_ = nullptr;
   const Cycle* consumer_now_ = nullptr;
   std::uint64_t* flags_ = &own_flags_;
   std::uint64_t flag_ = 0;
   std::uint32_t capacity_, latency_;
-  std::uint32_t count_ = 0;
-  bool stalls_ = false;
+  std::uint32_t head_ = 0, tail_ = 0;  // tokens popped and pushed so far
+  bool rare_kind_ = false;             // see above
 };
 
 template <class Token>
@@ -80,14 +97,13 @@ class Fifo : public Channel {
     std::size_t physical = 1;
     while (physical < capacity) physical *= 2;
     entries_.resize(physical);
-    mask_ = physical - 1;
+    mask_ = static_cast<std::uint32_t>(physical - 1);
   }
 
   void reset() override {
     head_ = tail_ = 0;
-    count_ = 0;
     *flags_ &= ~flag_;
-    popped_now_ = 0;
+    head_before_ = 0;
     last_pop_ = never;
     last_ready_ = 0;
     producer_waits_ = false;
@@ -96,49 +112,38 @@ class Fifo : public Channel {
 
   /// Producer: whether there is room for `n` more.  If not, the producer is woken when an entry is freed.
   bool can_push(std::uint32_t n = 1) {
-    const std::uint32_t freed_later = last_pop_ == timeline_->now ? popped_now_ : 0;
-    if (count_ + freed_later + n <= capacity_) return true;
-    if (freed_later != 0) {
-      // The pop of this very cycle came before this call: it could not know that someone waits.
-      producer_domain_->wake(*producer_, producer_domain_->now() + 1);
-    }
-    producer_waits_ = true;
+    // An entry that was freed in this very cycle is no room yet, whoever was ticked first; it will be in the next.
+    const std::uint32_t head = last_pop_ == timeline_->now ? head_before_ : head_;
+    if (tail_ - head + n <= capacity_) return true;
+    wait_for_room();
     return false;
   }
 
   /// `extra` cycles on top of the channel's latency must not let a token overtake an earlier one.
   void push(const Token& token, std::uint32_t extra = 0) {
-    assert(count_ < capacity_);
-    const Cycle now = same_domain() ? *consumer_now_ : consumer_domain_->cycle_after(timeline_->now) - 1;
-    Cycle ready = now + latency_ + extra;
-    if (stalls_ && random_() % 4 == 0) ready += random_() % 16;
+    assert(tail_ - head_ < capacity_);
+    Cycle ready = (rare_kind_ ? arrival_of_rare_kind() : *consumer_now_ + latency_) + extra;
     if (ready < last_ready_) ready = last_ready_;
     last_ready_ = ready;
     Entry& entry = entries_[tail_++ & mask_];
     entry.ready = ready;
     entry.token = token;
-    ++count_;
     *flags_ |= flag_;
-    ++timeline_->progress;
     consumer_domain_->wake(*consumer_, ready);
   }
 
   /// Consumer: whether a token has arrived.
-  bool can_pop() const { return count_ != 0 && entries_[head_ & mask_].ready <= *consumer_now_; }
+  bool can_pop() const { return head_ != tail_ && entries_[head_ & mask_].ready <= *consumer_now_; }
   const Token& front() const { return entries_[head_ & mask_].token; }
   void pop() {
-    ++head_;
-    if (--count_ == 0) *flags_ &= ~flag_;
-    ++timeline_->progress;
     if (last_pop_ != timeline_->now) {
       last_pop_ = timeline_->now;
-      popped_now_ = 0;
+      head_before_ = head_;
     }
-    ++popped_now_;
+    if (++head_ == tail_) *flags_ &= ~flag_;
     if (producer_waits_) {
       producer_waits_ = false;
-      const Cycle next = same_domain() ? *consumer_now_ + 1 : producer_domain_->cycle_after(timeline_->now);
-      producer_domain_->wake(*producer_, next);
+      producer_domain_->wake(*producer_, producer_next());
     }
   }
 
@@ -147,12 +152,17 @@ class Fifo : public Channel {
     Cycle ready;
     Token token;
   };
+  void wait_for_room() {
+    if (last_pop_ == timeline_->now) producer_domain_->wake(*producer_, producer_domain_->now() + 1);
+    producer_waits_ = true;
+  }
+
+  std::uint32_t mask_ = 0;
+  std::uint32_t head_before_ = 0;  // of the cycle of the last pop, before it
+  bool producer_waits_ = false;
   std::vector<Entry> entries_;
-  std::size_t mask_ = 0, head_ = 0, tail_ = 0;
-  std::uint32_t popped_now_ = 0;
   Tick last_pop_ = never;
   Cycle last_ready_ = 0;
-  bool producer_waits_ = false;
 };
 
 }  // namespace artu::hw

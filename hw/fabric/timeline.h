@@ -15,17 +15,18 @@ using Cycle = std::uint64_t;
 
 inline constexpr std::uint64_t never = ~std::uint64_t{0};
 
+class Channel;
 class ClockDomain;
 
 struct Timeline {
-  Tick now = 0;                // the edge that is being worked on
-  std::uint64_t progress = 0;  // tokens moved so far: the watchdog looks whether this changes
-  bool driven = false;         // a domain's process is running: wakes need no kernel event
+  Tick now = 0;         // the edge that is being worked on
+  bool driven = false;  // a domain's process is running: wakes need no kernel event
   // An edge is worked on when SystemC's time is there, for a unit in a platform; otherwise ahead of it, which is
   // faster.
   bool in_step = false;
   std::function<void()> at_end;  // called when a block or the watchdog has ended the frame; may be called twice
   std::vector<ClockDomain*> domains;
+  std::vector<const Channel*> channels;
 };
 
 }  // namespace artu::hw

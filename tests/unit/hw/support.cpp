@@ -30,7 +30,6 @@ void Bench::run_until_quiet() {
   context_.enter();
   for (Channel* channel : channels_) channel->reset();
   timeline.now = 0;
-  timeline.progress = 0;
   for (ClockDomain* domain : timeline.domains) domain->begin_frame();
   sc_core::sc_start();
   stopper_.at = never;
