@@ -78,9 +78,10 @@ class Channel {
   ClockDomain* producer_domain_ = nullptr;
   bool same_domain_ = true, stalls_ = false;
   // What every push and pop needs comes last, beside the entries of the derived class.
-  Timeline* timeline_ = nullptr;
-  ClockDomain* consumer_domain_ = nullptr;
+  Cycle arrival_ = never;  // of the first token
   const Cycle* consumer_now_ = nullptr;
+  ClockDomain* consumer_domain_ = nullptr;
+  Timeline* timeline_ = nullptr;
   std::uint64_t* flags_ = &own_flags_;
   std::uint64_t flag_ = 0;
   std::uint32_t capacity_, latency_;
@@ -102,6 +103,7 @@ class Fifo : public Channel {
 
   void reset() override {
     head_ = tail_ = 0;
+    arrival_ = never;
     *flags_ &= ~flag_;
     head_before_ = 0;
     last_pop_ = never;
@@ -125,6 +127,7 @@ class Fifo : public Channel {
     Cycle ready = (rare_kind_ ? arrival_of_rare_kind() : *consumer_now_ + latency_) + extra;
     if (ready < last_ready_) ready = last_ready_;
     last_ready_ = ready;
+    if (head_ == tail_) arrival_ = ready;
     Entry& entry = entries_[tail_++ & mask_];
     entry.ready = ready;
     entry.token = token;
@@ -133,14 +136,19 @@ class Fifo : public Channel {
   }
 
   /// Consumer: whether a token has arrived.
-  bool can_pop() const { return head_ != tail_ && entries_[head_ & mask_].ready <= *consumer_now_; }
+  bool can_pop() const { return arrival_ <= *consumer_now_; }
   const Token& front() const { return entries_[head_ & mask_].token; }
   void pop() {
     if (last_pop_ != timeline_->now) {
       last_pop_ = timeline_->now;
       head_before_ = head_;
     }
-    if (++head_ == tail_) *flags_ &= ~flag_;
+    if (++head_ == tail_) {
+      arrival_ = never;
+      *flags_ &= ~flag_;
+    } else {
+      arrival_ = entries_[head_ & mask_].ready;
+    }
     if (producer_waits_) {
       producer_waits_ = false;
       producer_domain_->wake(*producer_, producer_next());

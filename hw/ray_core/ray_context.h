@@ -27,28 +27,30 @@ struct PixelJob {
   std::uint16_t x = 0, y = 0;
 };
 
-struct RayContext {
-  PixelJob pixel;
-  Cycle since = 0;  // when the pixel was taken
-  Vector sum;  // colour so far
-
+/// What traversal needs at every step comes first, in as few cache lines of the host as it takes.
+struct alignas(64) RayContext {
   // The ray in flight.
   Ray ray;
-  Vector weight;
   RayKind kind = RayKind::primary;
-  std::uint8_t depth = 0;
+  bool found = false, dynamic = false;
+  std::uint8_t lines_left = 0;  // of the node that is being fetched
 
   // Traversal.
-  bool found = false, dynamic = false;
-  TriangleHit best;
-  std::uint32_t best_primitive = 0, best_triangle = 0, best_attributes = 0;
   Step next;  // node to visit; without one: pop
+  TriangleHit best;
+  std::uint8_t spills = 0;     // lines of the stack that the memory has not acknowledged
+  bool awaits_spills = false;  // cannot go on before it has
+  bool dynamic_last = false;   // the dynamic tree was being built when the ray began
   RayStack stack;
-  std::uint8_t lines_left = 0;  // of the node that is being fetched
-  std::uint8_t spills = 0;      // of the stack that the memory has not acknowledged
-  bool awaits_spills = false;   // cannot go on before it has
-  bool dynamic_last = false;    // the dynamic tree was being built when the ray began
-  std::uint64_t arrival = 0;    // when its set-up began
+  std::uint32_t best_primitive = 0, best_triangle = 0, best_attributes = 0;
+  std::uint64_t arrival = 0;  // when its set-up began
+
+  // The pixel.
+  PixelJob pixel;
+  Cycle since = 0;  // when the pixel was taken
+  Vector sum;       // colour so far
+  Vector weight;
+  std::uint8_t depth = 0;
 
   // Hit point and shading.
   std::uint8_t outstanding = 0;  // memory requests

@@ -18,7 +18,11 @@ inline constexpr std::uint32_t maximum_stack = 128;
 
 class RayStack {
  public:
-  void clear() { size_ = held_ = depth_ = resumed_ = 0; }
+  /// `trail`: where what overflows is forgotten; else none is kept.
+  void clear(bool trail) {
+    size_ = held_ = depth_ = resumed_ = 0;
+    keeps_trail_ = trail;
+  }
 
   // Steps on chip, and below them.
   bool empty() const { return size_ == held_; }
@@ -38,6 +42,7 @@ class RayStack {
   const Step& top() const { return entries_[size_ - 1].step; }
   void pop() {
     const Entry& entry = entries_[--size_];
+    if (!keeps_trail_) return;
     depth_ = entry.level;
     trail_[depth_++] = entry.trail;
     resumed_ = 0;
@@ -47,7 +52,9 @@ class RayStack {
   /// How many children of the node at the ray's depth are done.
   std::uint32_t done() const { return depth_ < resumed_ ? trail_[depth_] & order_mask : 0; }
   /// The ray goes on into child `order` of that node.
-  void descend(std::uint32_t order, bool last) { trail_[depth_++] = trail_of(order, last); }
+  void descend(std::uint32_t order, bool last) {
+    if (keeps_trail_) trail_[depth_++] = trail_of(order, last);
+  }
   /// Everything on chip is done and more was forgotten: from the roots again, to the sibling that comes next.
   void restart() {
     while ((trail_[depth_ - 1] & last_bit) != 0) --depth_;
@@ -68,6 +75,7 @@ class RayStack {
   std::uint32_t size_ = 0, held_ = 0;
   std::uint32_t depth_ = 0;    // level of the node that is visited
   std::uint32_t resumed_ = 0;  // levels below this are passed again after a restart
+  bool keeps_trail_ = false;
   std::array<Entry, maximum_stack> entries_;
   std::array<std::uint8_t, maximum_stack + 32> trail_;
 };

@@ -1,7 +1,5 @@
 #include "hw/ray_core/traversal.h"
 
-#include <algorithm>
-
 namespace artu::hw {
 
 void Traversal::reset() {
@@ -43,8 +41,7 @@ void Traversal::take(Slot slot, const Steps& steps, std::uint32_t latency, Cycle
   }
   if (context.stack.on_chip() > config_.stack_entries) overflow(slot, context);
   box_tests_ += steps.tests;
-  const std::uint32_t rounds =
-      std::max(config_.node_interval, (steps.tests + config_.box_testers - 1) / config_.box_testers);
+  const std::uint32_t rounds = rounds_[steps.tests];
   testers_free_ = now + rounds;
   boxed_at_ = std::max(boxed_at_, now + rounds - 1 + latency);  // in order, also where trees differ in depth
   boxed_.push({boxed_at_, slot});
@@ -53,10 +50,12 @@ void Traversal::take(Slot slot, const Steps& steps, std::uint32_t latency, Cycle
 void Traversal::begin(Slot slot, Cycle now) {
   RayContext& context = contexts_[slot];
   context.found = false;
-  context.stack.clear();
+  context.stack.clear(config_.stack_overflow == StackOverflow::restart);
+  const FrameDescriptor& frame = registers_.descriptor;
+  trees_ = {tree(frame.static_kind, frame.static_nodes), tree(frame.dynamic_kind, frame.dynamic_nodes)};
   context.dynamic_last = !dynamic_ready();
   const Steps steps = test_roots(context);
-  bool dynamic = is_zero(context.ray.direction) || registers_.descriptor.dynamic_root == NodeReference::none;
+  bool dynamic = is_zero(context.ray.direction) || frame.dynamic_root == NodeReference::none;
   for (std::uint32_t i = 0; i < steps.count; ++i) dynamic |= NodeReference::is_dynamic(steps.step[i].node);
   if (!dynamic) ++dynamic_skipped_;
   take(slot, steps, pipelines_.box, now);
@@ -72,24 +71,14 @@ Steps Traversal::test_roots(const RayContext& context) const {
   return steps;
 }
 
-TreeKind Traversal::kind_of(std::uint32_t node) const {
-  return NodeReference::is_dynamic(node) ? registers_.descriptor.dynamic_kind : registers_.descriptor.static_kind;
-}
-
-Address Traversal::address_of(std::uint32_t node) const {
-  const FrameDescriptor& frame = registers_.descriptor;
-  const Address nodes = NodeReference::is_dynamic(node) ? frame.dynamic_nodes : frame.static_nodes;
-  return nodes + Address{NodeReference::index(node)} * node_bytes(kind_of(node));
-}
-
 void Traversal::visit(Slot slot, Cycle now) {
   RayContext& context = contexts_[slot];
-  const TreeKind kind = kind_of(context.next.node);
+  const Tree& tree = tree_of(context.next.node);
   Steps steps;
-  hit_tests_.node(kind, &image_.at<std::uint8_t>(address_of(context.next.node)), context.ray, context.next,
+  hit_tests_.node(tree.kind, &image_.at<std::uint8_t>(address_of(tree, context.next.node)), context.ray, context.next,
                   limit_of(context), fault_, steps);
   ++node_visits_;
-  take(slot, steps, pipelines_.node(kind), now);
+  take(slot, steps, tree.latency, now);
 }
 
 Traversal::Advance Traversal::finish(Slot slot, RayContext& context) {
@@ -147,8 +136,9 @@ Traversal::Advance Traversal::advance(Slot slot, Cycle now) {
 
 /// Asks for the lines of the node that is next, all at once.
 Traversal::Advance Traversal::fetch(Slot slot, RayContext& context) {
-  const Address address = address_of(context.next.node);
-  const std::uint32_t lines = kind_of(context.next.node) == TreeKind::bvh8 ? 2 : 1;
+  const Tree& tree = tree_of(context.next.node);
+  const Address address = address_of(tree, context.next.node);
+  const std::uint32_t lines = tree.kind == TreeKind::bvh8 ? 2 : 1;
   if (!ports_.nodes->request.can_push(lines)) return Advance::blocked_memory;
   for (std::uint32_t i = 0; i < lines; ++i) {
     ports_.nodes->request.push({line_of(address) + i * line_bytes, 0, slot, 0});
@@ -210,8 +200,8 @@ bool Traversal::test_boxes(Cycle now, bool& blocked) {
 
 Activity Traversal::tick(Cycle now) {
   // (1) What the memory and the control unit say to rays that wait.
-  bool moved = answer_spills();
-  moved |= release();
+  bool moved = ports_.spills != nullptr && answer_spills();
+  if (ports_.built != nullptr) moved |= release();
   // (2) The box testers.
   bool blocked_tests = false;
   moved |= test_boxes(now, blocked_tests);

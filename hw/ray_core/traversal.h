@@ -15,6 +15,8 @@
 // intersection, hit_point or shading take no more.
 #pragma once
 
+#include <algorithm>
+
 #include "hw/fabric/memory_port.h"
 #include "hw/frame_registers.h"
 #include "hw/memory/image.h"
@@ -44,7 +46,11 @@ class Traversal : public Block {
         core_(core),
         boxed_(contexts.size()),
         resumed_(contexts.size()),
-        restarted_(contexts.size()) {}
+        restarted_(contexts.size()) {
+    for (std::uint32_t tests = 0; tests < rounds_.size(); ++tests) {
+      rounds_[tests] = std::max(config_.node_interval, (tests + config_.box_testers - 1) / config_.box_testers);
+    }
+  }
 
   struct Ports {
     Fifo<Slot>* primary;
@@ -74,21 +80,34 @@ class Traversal : public Block {
   template <class Entry>
   class Queue {
    public:
-    explicit Queue(std::size_t contexts) : entries_(contexts) {}
+    explicit Queue(std::size_t contexts) {
+      std::size_t room = 1;
+      while (room < contexts) room *= 2;
+      entries_.resize(room);
+      last_ = room - 1;
+    }
     void clear() { head_ = tail_ = 0; }
     bool empty() const { return head_ == tail_; }
     std::size_t size() const { return tail_ - head_; }
-    const Entry& front() const { return entries_[head_ % entries_.size()]; }
-    void push(const Entry& entry) { entries_[tail_++ % entries_.size()] = entry; }
+    const Entry& front() const { return entries_[head_ & last_]; }
+    void push(const Entry& entry) { entries_[tail_++ & last_] = entry; }
     void pop() { ++head_; }
 
    private:
     std::vector<Entry> entries_;
-    std::size_t head_ = 0, tail_ = 0;
+    std::size_t last_ = 0, head_ = 0, tail_ = 0;
   };
   struct Boxed {
     Cycle at;
     Slot slot;
+  };
+
+  /// Where a tree's nodes lie, and what they are.
+  struct Tree {
+    Address nodes = 0;
+    std::uint32_t node_bytes = 0;
+    TreeKind kind = TreeKind::bvh2;
+    std::uint32_t latency = 0;  // of a node's test
   };
 
   Activity tick(Cycle now) override;
@@ -98,8 +117,11 @@ class Traversal : public Block {
   Steps test_roots(const RayContext& context) const;
   void visit(Slot slot, Cycle now);
   void take(Slot slot, const Steps& steps, std::uint32_t latency, Cycle now);
-  TreeKind kind_of(std::uint32_t node) const;
-  Address address_of(std::uint32_t node) const;
+  const Tree& tree_of(std::uint32_t node) const { return trees_[NodeReference::is_dynamic(node) ? 1 : 0]; }
+  Address address_of(const Tree& tree, std::uint32_t node) const {
+    return tree.nodes + Address{NodeReference::index(node)} * tree.node_bytes;
+  }
+  Tree tree(TreeKind kind, Address nodes) const { return {nodes, node_bytes(kind), kind, pipelines_.node(kind)}; }
   Advance advance(Slot slot, Cycle now);
   Advance fetch(Slot slot, RayContext& context);
   Advance finish(Slot slot, RayContext& context);
@@ -123,6 +145,8 @@ class Traversal : public Block {
   const std::uint32_t core_;
   Ports ports_{};
   std::uint32_t fault_ = 0;
+  std::array<Tree, 2> trees_;                     // static and dynamic, as the descriptor says
+  std::array<std::uint32_t, 9> rounds_;           // cycles that so many tests keep the testers busy
   Queue<Boxed> boxed_;        // in the box pipeline
   Queue<Slot> resumed_;       // what they waited for is there: they step as they are
   Queue<Slot> restarted_;     // begin at the roots again

@@ -62,7 +62,7 @@ Traversal::Advance Traversal::underflow(Slot slot, RayContext& context) {
 
 /// An acknowledgement, or a line of entries.
 bool Traversal::answer_spills() {
-  if (ports_.spills == nullptr || !ports_.spills->response.can_pop()) return false;
+  if (!ports_.spills->response.can_pop()) return false;
   const std::uint32_t tag = ports_.spills->response.front().tag;
   ports_.spills->response.pop();
   const auto slot = static_cast<Slot>(tag & (refill_tag - 1));
@@ -85,7 +85,7 @@ bool Traversal::dynamic_ready() const {
 
 /// The dynamic tree is there: rays that wait for it go on.
 bool Traversal::release() {
-  if (ports_.built == nullptr || !ports_.built->can_pop()) return false;
+  if (!ports_.built->can_pop()) return false;
   ports_.built->pop();
   built_ = true;
   for (Slot slot : parked_) resumed_.push(slot);
