@@ -49,10 +49,11 @@ std::size_t Cache::set_of(Address line) const {
 
 /// The way that holds the line, or for 0 one that holds nothing; the number of ways if there is none.
 std::uint32_t Cache::way_of(std::size_t set, Address line) const {
+  // All ways are compared, as the hardware does: that is faster than to guess where to stop.
   const Line* ways = &lines_[set * config_.ways];
-  std::uint32_t way = 0;
-  while (way < config_.ways && ways[way].tag != line) ++way;
-  return way;
+  std::uint32_t found = config_.ways;
+  for (std::uint32_t way = config_.ways; way-- != 0;) found = ways[way].address() == line ? way : found;
+  return found;
 }
 
 /// The MSHR of a line, or a free one for line 0; the number of MSHRs if there is none.
@@ -66,14 +67,14 @@ bool Cache::install(Address line, bool dirty) {
   std::uint32_t way = way_of(set, 0);
   if (way == config_.ways) way = replacement_.victim(set);
   Line& place = lines_[set * config_.ways + way];
-  if (place.tag != 0 && place.dirty) {
+  if (place.dirty()) {
     if (!below_->request.can_push()) return false;
-    below_->request.push({place.tag, whole_line, write_back_tag, 0});
+    below_->request.push({place.address(), whole_line, write_back_tag, 0});
     ++outstanding_writes_;
     ++write_backs_;
   }
-  if (place.tag != 0) replacement_.replaced();
-  place = {line, dirty};
+  if (!place.empty()) replacement_.replaced();
+  place = Line(line, dirty);
   replacement_.touch(set, way);
   ++changes_;
   return true;
@@ -81,7 +82,7 @@ bool Cache::install(Address line, bool dirty) {
 
 /// (0) A line that was written below, before anything is looked up in this cycle.
 bool Cache::forget_written() {
-  if (!written_->can_pop() || !forgotten_->can_push()) return false;
+  if (!forgotten_->can_push()) return false;
   const Address address = written_->front().line;
   const std::size_t set = set_of(address);
   if (const std::uint32_t way = way_of(set, address); way != config_.ways) {
@@ -179,7 +180,7 @@ bool Cache::miss(std::size_t client, const MemoryRequest& request) {
 /// (3) The next request of a client.
 bool Cache::serve(std::size_t client, bool& blocked_out) {
   MemoryLink& link = *clients_[client];
-  const MemoryRequest request = link.request.front();
+  const MemoryRequest& request = link.request.front();  // there until it is popped
   const std::size_t set = set_of(request.line);
   if (const std::uint32_t way = way_of(set, request.line); way != config_.ways) {
     if (!link.response.can_push()) {
@@ -187,7 +188,7 @@ bool Cache::serve(std::size_t client, bool& blocked_out) {
       return false;
     }
     replacement_.touch(set, way);
-    lines_[set * config_.ways + way].dirty |= request.write();
+    if (request.write()) lines_[set * config_.ways + way].set_dirty();
     link.response.push({request.tag, request.source});
     ++hits_;
   } else if (!miss(client, request)) {
@@ -200,11 +201,11 @@ bool Cache::serve(std::size_t client, bool& blocked_out) {
 
 /// Writes back one dirty line a cycle; true while there is something to do.
 bool Cache::flush_step() {
-  while (flush_at_ < lines_.size() && !(lines_[flush_at_].tag != 0 && lines_[flush_at_].dirty)) ++flush_at_;
+  while (flush_at_ < lines_.size() && !lines_[flush_at_].dirty()) ++flush_at_;
   if (flush_at_ < lines_.size()) {
     if (!below_->request.can_push()) return false;
-    below_->request.push({lines_[flush_at_].tag, whole_line, write_back_tag, 0});
-    lines_[flush_at_].dirty = false;
+    below_->request.push({lines_[flush_at_].address(), whole_line, write_back_tag, 0});
+    lines_[flush_at_].clean();
     ++outstanding_writes_;
     ++write_backs_;
     return true;
@@ -216,8 +217,8 @@ bool Cache::flush_step() {
 }
 
 Activity Cache::tick(Cycle now) {
-  bool moved = written_ != nullptr && forget_written();
-  moved |= below_->response.can_pop() && accept_fill();
+  bool moved = written_ != nullptr && written_->can_pop() && forget_written();
+  if (below_->response.can_pop()) moved |= accept_fill();
   bool blocked_out = false, blocked_mem = false;
   if (filled_head_ != filled_.size()) {
     if (answer_target()) {
@@ -238,7 +239,7 @@ Activity Cache::tick(Cycle now) {
       moved = true;
     }
   }
-  if (flush_ != nullptr) moved |= flush();
+  if (flush_ != nullptr && (flushing_ || flush_->can_pop())) moved |= flush();
 
   const State waiting = busy_mshrs_ != 0 || outstanding_writes_ != 0 ? State::stall_mem : State::stall_in;
   if (moved) return anything_left() ? Activity(State::busy, now + 1) : Activity::once(State::busy, waiting);
@@ -248,24 +249,21 @@ Activity Cache::tick(Cycle now) {
 
 /// Work that the next cycle could do without anything arriving.
 bool Cache::anything_left() const {
-  if (filled_head_ != filled_.size() || flushing_ || below_->response.can_pop()) return true;
-  if (written_ != nullptr && written_->can_pop()) return true;
   for (const MemoryLink* client : clients_) {
     if (client->request.can_pop()) return true;
   }
-  return false;
+  return filled_head_ != filled_.size() || flushing_ || below_->response.can_pop() ||
+         (written_ != nullptr && written_->can_pop());
 }
 
 /// Takes the command, then one step a cycle; true if something was done.
 bool Cache::flush() {
-  bool moved = false;
-  if (!flushing_ && flush_->can_pop()) {
-    flush_->pop();
-    flushing_ = true;
-    flush_at_ = 0;
-    moved = true;
-  }
-  return (flushing_ && flush_step()) || moved;
+  if (flushing_) return flush_step();
+  flush_->pop();
+  flushing_ = true;
+  flush_at_ = 0;
+  flush_step();
+  return true;
 }
 
 void Cache::report(Statistics& out) const {

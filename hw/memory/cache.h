@@ -66,9 +66,19 @@ class Cache : public Block {
   bool quiet() const { return busy_mshrs_ == 0 && outstanding_writes_ == 0; }
 
  private:
-  struct Line {
-    Address tag = 0;  // line address, 0 = invalid (address 0 is never used)
-    bool dirty = false;
+  /// A line's address, and in its lowest bit whether it is dirty; 0 = none (address 0 is never used).
+  class Line {
+   public:
+    Line() = default;
+    Line(Address address, bool dirty) : word_(address | (dirty ? 1 : 0)) {}
+    bool empty() const { return word_ == 0; }
+    Address address() const { return word_ & ~Address{1}; }
+    bool dirty() const { return (word_ & 1) != 0; }
+    void set_dirty() { word_ |= 1; }
+    void clean() { word_ &= ~Address{1}; }
+
+   private:
+    Address word_ = 0;
   };
   struct Target {
     std::uint32_t tag;

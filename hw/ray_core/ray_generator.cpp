@@ -66,7 +66,7 @@ Activity RayGenerator::tick(Cycle now) {
     moved = true;
   }
   if (moved) {
-    const bool left = next_rays_->can_pop() || jobs_->can_pop() || freed_->can_pop();
+    const bool left = next_rays_->can_pop() || freed_->can_pop() || (jobs_->can_pop() && !free_.empty());
     return left ? Activity(State::busy, now + 1) : Activity::once(State::busy, State::stall_in);
   }
   return {State::stall_in};

@@ -201,7 +201,13 @@ Activity Shading::tick(Cycle now) {
       blocked_out = true;
     }
   }
-  if (moved) return {State::busy, now + 1};
+  if (moved) {
+    const bool left = ports_.memory->response.can_pop() || ports_.hits->can_pop() || !fetch_queue_.empty() ||
+                      ports_.shadows->can_pop() || ports_.misses->can_pop() || !shade_queue_.empty();
+    if (left) return {State::busy, now + 1};
+    if (!finish_queue_.empty()) return {State::busy, std::max(now + 1, contexts_[finish_queue_.front()].finish_at)};
+    return Activity::once(State::busy, outstanding_ != 0 ? State::stall_mem : State::stall_in);
+  }
   if (now < shader_free_ && (ports_.shadows->can_pop() || ports_.misses->can_pop() || !shade_queue_.empty())) {
     return {State::busy, shader_free_};
   }
