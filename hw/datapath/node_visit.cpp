@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "hw/datapath/wide_steps.h"
+
 namespace artu::hw {
 
 namespace {
@@ -60,9 +62,35 @@ struct Visit {
   }
 };
 
+#ifdef ARTU_SSE2
+/// The same children with their boxes side by side; what a BVH's step does not need, its interval's end, is left out.
+inline bool visit_wide(TreeKind kind, const void* record, const Ray& ray, float limit, float padding, Steps& out) {
+  const WideSteps steps(ray, padding);
+  switch (kind) {
+    case TreeKind::bvh2:
+      steps.binary(*static_cast<const NodeRecord*>(record), limit, out);
+      return true;
+    case TreeKind::bvh4:
+      steps.wide(*static_cast<const WideNodeRecord<4>*>(record), limit, out);
+      return true;
+    case TreeKind::bvh8:
+      steps.wide(*static_cast<const WideNodeRecord<8>*>(record), limit, out);
+      return true;
+    case TreeKind::kd:
+      break;
+  }
+  return false;
+}
+#endif
+
 template <class R>
 void visit_node(TreeKind kind, const void* record, const Ray& ray, const Step& from, float limit, float padding,
                 std::uint32_t fault, Steps& out) {
+#ifdef ARTU_SSE2
+  if constexpr (std::is_same_v<R, float>) {
+    if (ray.limited == 0 && fault == 0 && visit_wide(kind, record, ray, limit, padding, out)) return;
+  }
+#endif
   const Visit<R> visit{ray, limit, padding, fault, out};
   switch (kind) {
     case TreeKind::bvh2:

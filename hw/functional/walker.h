@@ -5,9 +5,9 @@
 #pragma once
 
 #include "hw/datapath/walk.h"
+#include "hw/datapath/wide_steps.h"
 #include "hw/functional/counts.h"
 #include "hw/functional/frame_memory.h"
-#include "hw/functional/wide_steps.h"
 #include "hw/ray_core/ray_stack.h"
 
 namespace artu::hw {
@@ -154,7 +154,7 @@ void Walker<Tap>::general(const Ray& ray, const Steps& roots, Found& found) {
   const auto test = [this](const Ray& r, const TriangleRecord& t, TriangleHit& hit) {
     return tests_.triangle(r, t.a, t.b, t.c, hit);
   };
-  stack_.clear();
+  stack_.clear(config_.stack_overflow == StackOverflow::restart);
   Step next;
   push(roots, next);
   while (next.node != NodeReference::none || pop(ray, found, next)) {

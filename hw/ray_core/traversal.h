@@ -145,14 +145,14 @@ class Traversal : public Block {
   const std::uint32_t core_;
   Ports ports_{};
   std::uint32_t fault_ = 0;
-  std::array<Tree, 2> trees_;                     // static and dynamic, as the descriptor says
-  std::array<std::uint32_t, 9> rounds_;           // cycles that so many tests keep the testers busy
-  Queue<Boxed> boxed_;        // in the box pipeline
-  Queue<Slot> resumed_;       // what they waited for is there: they step as they are
-  Queue<Slot> restarted_;     // begin at the roots again
-  std::vector<Slot> parked_;  // wait for the dynamic tree
-  bool built_ = false;        // it is there
-  Cycle boxed_at_ = 0;        // when the last one that entered the box pipeline leaves it
+  std::array<Tree, 2> trees_;            // static and dynamic, as the descriptor says
+  std::array<std::uint32_t, 9> rounds_;  // cycles that so many tests keep the testers busy
+  Queue<Boxed> boxed_;                   // in the box pipeline
+  Queue<Slot> resumed_;                  // what they waited for is there: they step as they are
+  Queue<Slot> restarted_;                // begin at the roots again
+  std::vector<Slot> parked_;             // wait for the dynamic tree
+  bool built_ = false;                   // it is there
+  Cycle boxed_at_ = 0;                   // when the last one that entered the box pipeline leaves it
   Cycle stepper_free_ = 0, testers_free_ = 0;
   std::uint32_t awaited_ = 0;  // rays that wait for memory
   std::uint64_t node_visits_ = 0, box_tests_ = 0, leaves_ = 0, dropped_ = 0, dynamic_skipped_ = 0;

@@ -2,10 +2,10 @@
 // binary32 with SSE2, operation for operation, so that every bit is the one of hw/datapath/node_visit.h.
 //
 // minps and maxps are the contract's minimum and maximum: on a tie, or with a NaN, the second operand.  Not for a ray
-// with a limited axis, whose slabs have a rule of their own.
+// with a limited axis, whose slabs have a rule of their own.  ARTU_PORTABLE leaves it out.
 #pragma once
 
-#if defined(__SSE2__)
+#if defined(__SSE2__) && !defined(ARTU_PORTABLE)
 #define ARTU_SSE2 1
 #include <emmintrin.h>
 
@@ -39,7 +39,18 @@ class WideSteps {
     return meets(enter, exit, limit) & 3u;
   }
 
-  /// What the node's visit adds to `out`.
+  /// What the node's visit adds to `out`, but for the intervals' ends.
+  void binary(const NodeRecord& node, float limit, Steps& out) const {
+    out.tests += 2;
+    __m128 enters;
+    const unsigned met = binary(node, limit, enters);
+    alignas(16) float enter[4];
+    _mm_store_ps(enter, enters);
+    if ((met & 1) != 0) out.add(node.child[0], enter[0], 0);
+    if ((met & 2) != 0) out.add(node.child[1], enter[1], 0);
+  }
+
+  /// The same of a wide node.
   template <int Width>
   void wide(const WideNodeRecord<Width>& node, float limit, Steps& out) const {
     out.tests += node.count;
