@@ -45,7 +45,7 @@ bool FrameWriter::evict(Entry& entry) {
     under_way_[tag] = {entry.line, entry.announced};
   }
   memory_->request.push({entry.line, entry.bytes, tag, 0});
-  entry.bytes = 0;
+  lines_.release(entry);
   evicted_ = true;
   ++unacknowledged_;
   ++line_writes_;
@@ -96,7 +96,7 @@ void FrameWriter::note(const PixelToken& pixel, Entry& entry, std::uint64_t byte
   const std::uint32_t pass = plan_.pass_of(pixel.x, pixel.y);
   if (pass != last_pass_) entry.announced |= bytes;
   const std::uint64_t expected = expected_in(pixel, pass, bytes_a_pixel);
-  entry.complete |= (entry.bytes & expected) == expected;
+  if ((entry.bytes & expected) == expected) lines_.complete(entry);
 }
 
 /// Puts the pixel into the entries of its two lines; false if there is no room.
@@ -107,17 +107,17 @@ bool FrameWriter::combine(const PixelToken& pixel, Address color, Address hit_cl
   if (visible_ == nullptr) {
     // Without room for the class the colour stays combined; writing it again in the next cycle changes nothing.
     if (!reserve(color_line)) return false;
-    lines_.combine(color_line, color_bytes, now);
+    lines_.combine(color_line, color_bytes, now, 0);
     if (!reserve(class_line)) return false;
-    lines_.combine(class_line, class_bytes, now);
+    lines_.combine(class_line, class_bytes, now, 1);
     return true;
   }
   // Each is told of once: both or none.
   while (lines_.missing(color_line, class_line) != 0) {
     if (!evict(lines_.oldest_but(color_line, class_line))) return false;
   }
-  note(pixel, lines_.combine(color_line, color_bytes, now), color_bytes, 4);
-  note(pixel, lines_.combine(class_line, class_bytes, now), class_bytes, 1);
+  note(pixel, lines_.combine(color_line, color_bytes, now, 0), color_bytes, 4);
+  note(pixel, lines_.combine(class_line, class_bytes, now, 1), class_bytes, 1);
   if (plan_.pass_of(pixel.x, pixel.y) == 0 && sampling_left_ != 0) --sampling_left_;
   return true;
 }
@@ -181,9 +181,10 @@ Activity FrameWriter::tick(Cycle now) {
   Cycle next = never;
   if (visible_ != nullptr) {
     moved |= tell_sampling();
-    moved |= send_due(now, blocked, next);
+    moved |= send_due(now, blocked);
   }
   if (moved) return {State::busy, now + 1};
+  if (visible_ != nullptr) next = next_due(now);
   if (blocked || (unacknowledged_ != 0 && active_ && seen_ == pass_size_.pixels)) return {State::stall_mem, next};
   return {State::stall_in, next};
 }
@@ -196,17 +197,20 @@ bool FrameWriter::tell_sampling() {
   return true;
 }
 
-/// An entry that need not wait any longer goes, where none has gone in this cycle; `next`: when one will be such.
-bool FrameWriter::send_due(Cycle now, bool& blocked, Cycle& next) {
-  if (!evicted_) {
-    if (Entry* entry = lines_.due(now < patience ? 0 : now - patience + 1)) {
-      if (evict(*entry)) return true;
-      blocked = true;
-    }
-  }
-  const Cycle first = lines_.first_touched();
-  if (first != never && first + patience > now) next = first + patience;
+/// An entry that need not wait any longer goes, where none has gone in this cycle.
+bool FrameWriter::send_due(Cycle now, bool& blocked) {
+  if (evicted_) return false;
+  Entry* entry = lines_.due(now < patience ? 0 : now - patience + 1);
+  if (entry == nullptr) return false;
+  if (evict(*entry)) return true;
+  blocked = true;
   return false;
+}
+
+/// When an entry will be one that need not wait any longer.
+Cycle FrameWriter::next_due(Cycle now) const {
+  const Cycle first = lines_.first_touched();
+  return first != never && first + patience > now ? first + patience : never;
 }
 
 void FrameWriter::report(Statistics& out) const {

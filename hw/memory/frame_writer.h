@@ -65,7 +65,8 @@ class FrameWriter : public Block {
   Activity tick(Cycle now) override;
   bool acknowledge();
   bool tell_sampling();
-  bool send_due(Cycle now, bool& blocked, Cycle& next);
+  bool send_due(Cycle now, bool& blocked);
+  Cycle next_due(Cycle now) const;
   bool write(const PixelToken& pixel, Cycle now);
   bool reserve(Address line);
   bool evict(Entry& entry);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "hw/fabric/memory_port.h"
@@ -19,14 +20,20 @@ class WriteCombiner {
     bool complete = false;  // nothing more is to be expected soon
   };
 
-  explicit WriteCombiner(std::uint32_t entries) : entries_(entries) {}
+  explicit WriteCombiner(std::uint32_t entries) : entries_(entries) { reset(); }
   void reset() {
     std::fill(entries_.begin(), entries_.end(), Entry{});
     clock_ = 0;
+    last_ = {&entries_[0], &entries_[0]};
+    complete_ = 0;
+    touched_from_ = never;
   }
 
   /// The entry of a line, or a free one; null if there is neither.
   Entry* place_for(Address line) {
+    for (Entry* entry : last_) {
+      if (entry->bytes != 0 && entry->line == line) return entry;
+    }
     Entry* place = nullptr;
     for (Entry& entry : entries_) {
       if (entry.bytes != 0 && entry.line == line) return &entry;
@@ -41,6 +48,7 @@ class WriteCombiner {
   }
   /// How many entries are missing for both lines to have one.
   std::uint32_t missing(Address a, Address b) const {
+    if (last_[0]->line == a && last_[1]->line == b && last_[0]->bytes != 0 && last_[1]->bytes != 0) return 0;
     std::uint32_t missing = 2;
     for (const Entry& entry : entries_) {
       if ((entry.bytes == 0 || entry.line == a || entry.line == b) && missing != 0) --missing;
@@ -63,9 +71,13 @@ class WriteCombiner {
   }
   /// The oldest that is complete or was last touched before `since`; null if there is none.
   Entry* due(Cycle since) {
+    if (complete_ == 0 && touched_from_ >= since) return nullptr;
     Entry* found = nullptr;
+    touched_from_ = never;
     for (Entry& entry : entries_) {
-      if (entry.bytes == 0 || (!entry.complete && entry.touched >= since)) continue;
+      if (entry.bytes == 0) continue;
+      touched_from_ = std::min(touched_from_, entry.touched);
+      if (!entry.complete && entry.touched >= since) continue;
       if (found == nullptr || entry.age < found->age) found = &entry;
     }
     return found;
@@ -79,18 +91,33 @@ class WriteCombiner {
     return first;
   }
 
-  /// Adds bytes to the line's entry, or begins one.
-  Entry& combine(Address line, std::uint64_t bytes, Cycle now) {
+  /// Adds bytes to the line's entry, or begins one.  `which` of a pixel's two lines it is: the last of each is found
+  /// again without a search.
+  Entry& combine(Address line, std::uint64_t bytes, Cycle now, std::size_t which) {
     Entry& entry = *place_for(line);
     if (entry.bytes == 0) entry = {line, 0, 0, ++clock_, now, false};
     entry.bytes |= bytes;
     entry.touched = now;
+    touched_from_ = std::min(touched_from_, now);
+    last_[which] = &entry;
     return entry;
+  }
+  void complete(Entry& entry) {
+    if (!entry.complete) ++complete_;
+    entry.complete = true;
+  }
+  void release(Entry& entry) {
+    if (entry.complete) --complete_;
+    entry.complete = false;
+    entry.bytes = 0;
   }
 
  private:
   std::vector<Entry> entries_;
+  std::array<Entry*, 2> last_{};
   std::uint64_t clock_ = 0;
+  std::size_t complete_ = 0;    // entries that are
+  Cycle touched_from_ = never;  // no entry was last touched before
 };
 
 }  // namespace artu::hw
