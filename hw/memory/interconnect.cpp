@@ -15,51 +15,71 @@ void Interconnect::flag_channels() {
 void Interconnect::reset() {
   for (RoundRobin& arbiter : arbiters_) arbiter.reset();
   answered_.assign(masters_.size(), never);
+  known_.assign(waiting_.size(), 0);
+  wanted_.assign(waiting_.size() * memories_.size(), 0);
+  asked_ = 0;
   first_memory_ = 0;
   requests_ = responses_ = conflicts_ = 0;
 }
 
-/// One look at every master that waits: for each memory the first from its arbiter's pointer on, or else the first.
-bool Interconnect::pass_requests(bool& blocked, bool& left) {
-  std::array<std::size_t, maximum_memories> chosen;
-  std::size_t ready = 0;
-  std::uint32_t asked = 0;  // memories, and so those whose entry above means something
-  for (std::size_t word = 0; word < waiting_.size(); ++word) {
-    for (std::uint64_t bits = waiting_[word]; bits != 0; bits &= bits - 1) {
-      const std::size_t i = word * 64 + static_cast<std::size_t>(__builtin_ctzll(bits));
-      const Fifo<MemoryRequest>& requests = masters_[i]->request;
+/// A request is looked at once, when it arrives: which memory it is for.
+void Interconnect::look_at_arrivals() {
+  const std::size_t words = waiting_.size();
+  for (std::size_t word = 0; word < words; ++word) {
+    for (std::uint64_t bits = waiting_[word] & ~known_[word]; bits != 0; bits &= bits - 1) {
+      const std::uint64_t bit = bits & -bits;
+      const Fifo<MemoryRequest>& requests =
+          masters_[word * 64 + static_cast<std::size_t>(__builtin_ctzll(bits))]->request;
       if (!requests.can_pop()) continue;
       const std::size_t memory = memory_of(requests.front().line);
-      ++ready;
-      if ((asked >> memory & 1) == 0) {
-        chosen[memory] = i;
-        asked |= 1u << memory;
-      } else if (const std::size_t pointer = arbiters_[memory].pointer(); chosen[memory] < pointer && i >= pointer) {
-        chosen[memory] = i;
-      }
+      known_[word] |= bit;
+      wanted_[memory * words + word] |= bit;
+      asked_ |= 1u << memory;
     }
   }
+}
+
+/// Of those that ask for the memory the first from its arbiter's pointer on, or else the first.
+std::size_t Interconnect::next_master(std::size_t memory) const {
+  const std::size_t words = waiting_.size(), pointer = arbiters_[memory].pointer();
+  const std::uint64_t* wanted = &wanted_[memory * words];
+  std::uint64_t bits = wanted[pointer / 64] & (~std::uint64_t{0} << (pointer % 64));
+  for (std::size_t word = pointer / 64;;) {
+    if (bits != 0) return word * 64 + static_cast<std::size_t>(__builtin_ctzll(bits));
+    word = word + 1 == words ? 0 : word + 1;
+    bits = wanted[word];
+  }
+}
+
+bool Interconnect::pass_requests(bool& blocked, bool& left) {
+  look_at_arrivals();
+  const std::size_t words = waiting_.size();
   bool moved = false;
-  std::size_t granted = 0;
-  for (; asked != 0; asked &= asked - 1) {
+  for (std::uint32_t asked = asked_; asked != 0; asked &= asked - 1) {
     const auto memory = static_cast<std::size_t>(__builtin_ctz(asked));
-    const std::size_t master = chosen[memory];
     Fifo<MemoryRequest>& down = memories_[memory]->request;
     if (!down.can_push()) {
       blocked = true;
       continue;
     }
-    MemoryRequest request = masters_[master]->request.front();
+    const std::size_t master = next_master(memory);
+    Fifo<MemoryRequest>& requests = masters_[master]->request;
+    MemoryRequest request = requests.front();
     request.source = static_cast<std::uint16_t>(master);
-    masters_[master]->request.pop();
-    left |= masters_[master]->request.can_pop();
-    ++granted;
+    requests.pop();
+    left |= requests.can_pop();
     down.push(request);
     arbiters_[memory].granted(master, masters_.size());
     ++requests_;
     moved = true;
+    const std::uint64_t others = ~(std::uint64_t{1} << (master % 64));
+    known_[master / 64] &= others;
+    wanted_[memory * words + master / 64] &= others;
+    bool any = false;
+    for (std::size_t word = 0; word < words; ++word) any |= wanted_[memory * words + word] != 0;
+    if (!any) asked_ &= ~(1u << memory);
   }
-  left |= granted != ready;
+  left |= asked_ != 0;
   return moved;
 }
 

@@ -9,7 +9,6 @@
 // Stalls: stall_out when a memory's request channel or a master's response channel is full.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "hw/fabric/memory_port.h"
@@ -34,14 +33,18 @@ class Interconnect : public Block {
   void report(Statistics& out) const override;
 
  private:
-  static constexpr std::size_t maximum_memories = 16;
   Activity tick(Cycle now) override;
+  void look_at_arrivals();
+  std::size_t next_master(std::size_t memory) const;
   bool pass_requests(bool& blocked, bool& left);
   bool pass_response(std::size_t memory, Cycle now, bool& blocked);
   std::size_t memory_of(Address line) const { return line / line_bytes & last_memory_; }
 
   std::vector<MemoryLink*> masters_, memories_;
   std::vector<std::uint64_t> waiting_;  // a bit a master
+  std::vector<std::uint64_t> known_;    // of them those whose first request has arrived and been looked at
+  std::vector<std::uint64_t> wanted_;   // of them, memory by memory, those whose request is for it
+  std::uint32_t asked_ = 0;             // a bit a memory that any is for
   std::uint64_t answering_ = 0;         // a bit a memory
   std::vector<RoundRobin> arbiters_;    // one a memory
   std::vector<Cycle> answered_;         // by master: when it got its last response
