@@ -59,6 +59,7 @@ class PixelTracer {
       depth = next.depth;
       closest(next.kind, ray, found);
     }
+    tap_.end_of_pixel();
     pixel.color = {encode(sum_.x), encode(sum_.y), encode(sum_.z)};
     return pixel;
   }
@@ -81,8 +82,7 @@ class PixelTracer {
                                Address{triangle.attributes} * sizeof(AttributeRecord);
     const Address at = frame.materials + Address{triangle.material} * sizeof(MaterialRecord);
     const auto& material = image_.at<MaterialRecord>(at);
-    tap_.triangle(memory_.address_of(&triangle));
-    tap_.attributes(attributes);
+    tap_.hit_point(memory_.address_of(&triangle), attributes);
     tap_.material(at);
     ++counts_.hit_points;
     const Surface surface =

@@ -31,6 +31,7 @@ class FrameRendering {
       ++counts_.sampled;
     }
     for (std::uint32_t number = 1; number < plan_.passes(); ++number) {
+      tap_.begin_pass(number, counts_);
       const Pass pass = plan_.pass(number);
       for (TileWalk walk = plan_.walk(number, frame_.width, frame_.height, config_.selective.tile); !walk.done();
            walk.next()) {

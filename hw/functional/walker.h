@@ -60,8 +60,8 @@ class Walker {
     const bool dynamic = NodeReference::is_dynamic(reference);
     const std::uint32_t first = NodeReference::first(reference), count = NodeReference::count(reference);
     const TriangleRecord* record = memory_.leaf(reference);
+    tap_.leaf(memory_.address_of(record), count);
     for (std::uint32_t i = 0; i < count; ++i) {
-      tap_.triangle(memory_.address_of(record + i));
       TriangleHit hit;
       if (!test(ray, record[i], hit)) continue;
       consider(hit, record[i].primitive, first + i, dynamic, found);

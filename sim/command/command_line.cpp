@@ -112,7 +112,8 @@ void add_run_options(CLI::App& command, RunOptions& run) {
   command
       .add_option_function<std::string>(
           "--fidelity", [&run](const std::string& mode) { run.simulation.fidelity = parse_fidelity(mode); },
-          "functional: pixels and counts, no cycles; event (default): only blocks that are awake; clocked: every block "
+          "functional: pixels and counts, no cycles; analytic: the same, cycles estimated; event (default): only "
+          "blocks that are awake; clocked: every block "
           "in every cycle, same result")
       ->option_text("MODE")
       ->group("Simulation");

@@ -16,6 +16,7 @@
 #include "sim/jobs/processes.h"
 #include "sim/report/stats_text.h"
 #include "sim/report/summary.h"
+#include "sim/scaling/demand.h"
 #include "traces/error.h"
 
 namespace artu::sim {
@@ -137,9 +138,12 @@ int run_command(const RunOptions& options) {
   if (!options.quiet) {
     const traces::Scene& scene = source.scene();
     const auto energy = energy_if_known(result.sum, unit);
+    // What screening is for; the whole list is in the report.
+    const bool screening = result.sum.fidelity == Fidelity::analytic;
+    const auto limits = screening ? demands_if_known(result.sum, unit) : std::vector<Demand>();
     fmt::print("{}", format_summary({options.source.path, scene.width, scene.height, source.range().first,
                                      source.range().last, unit.clock_mhz},
-                                    result.sum, energy ? &*energy : nullptr));
+                                    result.sum, energy ? &*energy : nullptr, limits));
     if (!report->folder().empty()) fmt::print("{:<12}{}\n", "report", report->folder());
   }
   if (golden && !(options.quiet && result.check.passed())) fmt::print("{}", describe(result.check));

@@ -99,7 +99,7 @@ void RunReport::finish(const Totals& sum, const hw::UnitConfig& unit, const Mani
     pictures_->finish();
     const auto known = energy_if_known(sum, unit);
     const Energy* energy = known ? &*known : nullptr;
-    json_->finish(sum, unit.clock_mhz, check, energy);
+    json_->finish(sum, unit.clock_mhz, check, energy, demands_if_known(sum, unit));
     const double golden_seconds = check ? check->golden_seconds : -1;
     write_file(folder_->file("stats.txt"), format_stats(sum, unit.clock_mhz, golden_seconds, energy));
     write_file(folder_->file("config.toml"), dump_config(unit));

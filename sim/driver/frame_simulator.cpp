@@ -1,5 +1,6 @@
 #include "sim/driver/frame_simulator.h"
 
+#include "sim/analytic/analytic_simulator.h"
 #include "sim/driver/functional_simulator.h"
 #include "sim/driver/simulator.h"
 #include "traces/error.h"
@@ -25,10 +26,13 @@ std::unique_ptr<FrameSimulator> make_simulator(const traces::Scene& scene, const
   check_options(options);
   if (is_exact(options.fidelity)) return std::make_unique<Simulator>(scene, unit, options, std::move(frames));
   if (options.fidelity == Fidelity::functional) {
-    return std::make_unique<FunctionalSimulator>(scene, unit, std::move(frames));
+    return std::make_unique<FunctionalSimulator>(scene, unit, options, std::move(frames));
+  }
+  if (options.fidelity == Fidelity::analytic) {
+    return std::make_unique<AnalyticSimulator>(scene, unit, options, std::move(frames));
   }
   throw InputError("--fidelity", std::string(fidelity_name(options.fidelity)) +
-                                     " is not there yet; functional, event or clocked would be right");
+                                     " is not there yet; functional, analytic, event or clocked would be right");
 }
 
 }  // namespace artu::sim

@@ -9,8 +9,12 @@
 namespace artu::sim {
 
 struct FunctionalSimulator::Impl {
-  Impl(const traces::Scene& scene, const hw::UnitConfig& config, FrameFrom frames, bool portable)
-      : scene(scene), config(config), builder(scene, config, std::move(frames), image), unit(config, image, portable) {}
+  Impl(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options, FrameFrom frames,
+       bool portable)
+      : scene(scene),
+        config(config),
+        builder(scene, config, std::move(frames), image, options.static_trees),
+        unit(config, image, portable) {}
 
   const traces::Scene& scene;
   const hw::UnitConfig config;
@@ -19,9 +23,9 @@ struct FunctionalSimulator::Impl {
   const hw::FunctionalUnit unit;
 };
 
-FunctionalSimulator::FunctionalSimulator(const traces::Scene& scene, const hw::UnitConfig& unit, FrameFrom frames,
-                                         bool portable)
-    : impl_(std::make_unique<Impl>(scene, unit, std::move(frames), portable)) {}
+FunctionalSimulator::FunctionalSimulator(const traces::Scene& scene, const hw::UnitConfig& unit,
+                                         const SimulationOptions& options, FrameFrom frames, bool portable)
+    : impl_(std::make_unique<Impl>(scene, unit, options, std::move(frames), portable)) {}
 
 FunctionalSimulator::~FunctionalSimulator() = default;
 

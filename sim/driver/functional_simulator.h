@@ -10,7 +10,8 @@ namespace artu::sim {
 class FunctionalSimulator : public FrameSimulator {
  public:
   /// As make_simulator.  `portable`: without SSE2; the same bits.
-  FunctionalSimulator(const traces::Scene& scene, const hw::UnitConfig& unit, FrameFrom frames, bool portable = false);
+  FunctionalSimulator(const traces::Scene& scene, const hw::UnitConfig& unit, const SimulationOptions& options,
+                      FrameFrom frames, bool portable = false);
   ~FunctionalSimulator() override;
   FrameOutcome run(const traces::Frame& frame) override;
 

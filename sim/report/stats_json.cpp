@@ -55,6 +55,12 @@ Json object_of(const Energy* energy) {
   return object;
 }
 
+Json object_of(const std::vector<Demand>& demands) {
+  Json object = {{"bottleneck", bottleneck(demands).resource}};
+  for (const Demand& demand : demands) object["shares"][demand.resource] = demand.share;
+  return object;
+}
+
 Json first_mismatch(const PixelMismatch& m) {
   Json object = {{"frame", m.frame}, {"x", m.x}, {"y", m.y}};
   const PixelFields fields = differing_fields(m.golden, m.unit);
@@ -105,7 +111,8 @@ void StatsJson::add_frame(std::uint32_t index, const Totals& frame, const std::v
   first_ = false;
 }
 
-void StatsJson::finish(const Totals& sum, std::uint32_t clock_mhz, const CheckResult* check, const Energy* energy) {
+void StatsJson::finish(const Totals& sum, std::uint32_t clock_mhz, const CheckResult* check, const Energy* energy,
+                       const std::vector<Demand>& demands) {
   const Json fidelity = {{"mode", fidelity_name(sum.fidelity)}, {"promise", promise_of(sum.fidelity)}};
   Json totals = {{"frames", sum.frames}};
   totals.update(object_of(sum));
@@ -116,6 +123,7 @@ void StatsJson::finish(const Totals& sum, std::uint32_t clock_mhz, const CheckRe
   if (energy != nullptr || has_energy(sum.fidelity)) {
     file_.write(" \"energy\": " + indented(object_of(energy), " ") + ",\n");
   }
+  if (!demands.empty()) file_.write(" \"demand\": " + indented(object_of(demands), " ") + ",\n");
   file_.write(" \"check\": " + (check ? indented(object_of(*check), " ") : "null") + ",\n");
   const auto simulation = simulation_numbers(sum, check ? check->golden_seconds : -1);
   file_.write(" \"simulation\": " + indented(object_of(simulation), " ") + "\n}\n");

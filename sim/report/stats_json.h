@@ -9,6 +9,7 @@
 #include "sim/energy/energy.h"
 #include "sim/report/file.h"
 #include "sim/report/numbers.h"
+#include "sim/scaling/demand.h"
 
 namespace artu::sim {
 
@@ -21,7 +22,9 @@ class StatsJson {
   /// `energy` is null where it was not computed, `check` where nothing was compared.
   void add_frame(std::uint32_t index, const Totals& frame, const std::vector<std::string>& violations,
                  const Energy* energy = nullptr);
-  void finish(const Totals& sum, std::uint32_t clock_mhz, const CheckResult* check, const Energy* energy = nullptr);
+  /// `demands` may be empty, where they are not known.
+  void finish(const Totals& sum, std::uint32_t clock_mhz, const CheckResult* check, const Energy* energy = nullptr,
+              const std::vector<Demand>& demands = {});
 
  private:
   OutputFile file_;

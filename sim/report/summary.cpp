@@ -33,7 +33,8 @@ std::string interval_of(const Totals& sum, const std::string& name) {
 
 }  // namespace
 
-std::string format_summary(const SummaryHeading& h, const Totals& sum, const Energy* energy) {
+std::string format_summary(const SummaryHeading& h, const Totals& sum, const Energy* energy,
+                           const std::vector<Demand>& demands) {
   const auto numbers = frame_numbers(sum), derived = derived_numbers(sum, h.clock_mhz);
   const auto simulation = simulation_numbers(sum, -1);
   std::string out;
@@ -54,6 +55,10 @@ std::string format_summary(const SummaryHeading& h, const Totals& sum, const Ene
   if (timed) {
     line("DRAM", fmt::format("{:.3f} GB/s, {:.1f} bytes per ray", value_of(derived, "dram_gb_per_second"),
                              value_of(derived, "dram_bytes_per_ray")));
+  }
+  if (!demands.empty()) {
+    const Demand most = bottleneck(demands);
+    line("bottleneck", fmt::format("{} ({:.0f} % of its capacity)", most.resource, 100 * most.share));
   }
   if (energy != nullptr) {
     const auto energies = energy_numbers(*energy);

@@ -6,6 +6,7 @@
 
 #include "sim/energy/energy.h"
 #include "sim/report/numbers.h"
+#include "sim/scaling/demand.h"
 
 namespace artu::sim {
 
@@ -17,6 +18,8 @@ struct SummaryHeading {
 };
 
 /// `energy` is null where it was not computed.
-std::string format_summary(const SummaryHeading& heading, const Totals& sum, const Energy* energy = nullptr);
+/// Says what limits the frame where `demands` are given.
+std::string format_summary(const SummaryHeading& heading, const Totals& sum, const Energy* energy = nullptr,
+                           const std::vector<Demand>& demands = {});
 
 }  // namespace artu::sim

@@ -34,6 +34,16 @@ std::vector<Demand> demands(const Totals& totals, const hw::UnitConfig& unit) {
   };
 }
 
+std::vector<Demand> demands_if_known(const Totals& totals, const hw::UnitConfig& unit) {
+  const bool known = totals.fidelity == Fidelity::analytic || is_exact(totals.fidelity);
+  return known ? demands(totals, unit) : std::vector<Demand>();
+}
+
+Demand bottleneck(const std::vector<Demand>& demands) {
+  return *std::max_element(demands.begin(), demands.end(),
+                           [](const Demand& a, const Demand& b) { return a.share < b.share; });
+}
+
 double contexts_filled(const Totals& totals, const hw::UnitConfig& unit) {
   const Counters counters(totals.statistics);
   return static_cast<double>(counters.of("core.ray_generator", "context_cycles")) /
@@ -41,10 +51,8 @@ double contexts_filled(const Totals& totals, const hw::UnitConfig& unit) {
 }
 
 std::string limit_of(const Totals& totals, const hw::UnitConfig& unit) {
-  const std::vector<Demand> all = demands(totals, unit);
-  const auto largest =
-      std::max_element(all.begin(), all.end(), [](const Demand& a, const Demand& b) { return a.share < b.share; });
-  if (largest->share >= full) return largest->resource;
+  const Demand largest = bottleneck(demands(totals, unit));
+  if (largest.share >= full) return largest.resource;
   return contexts_filled(totals, unit) >= full ? "latency" : "too few pixels in flight";
 }
 

@@ -20,6 +20,12 @@ struct Demand {
 /// candidates, and the phases in which the cores have nothing to do.
 std::vector<Demand> demands(const Totals& totals, const hw::UnitConfig& unit);
 
+/// Of the fidelities that have the counters for it; none for the others.
+std::vector<Demand> demands_if_known(const Totals& totals, const hw::UnitConfig& unit);
+
+/// The resource with the largest demand: what a frame would gain most from is more of it, or less asked of it.
+Demand bottleneck(const std::vector<Demand>& demands);
+
 /// Mean share of the cores' contexts that hold a pixel.
 double contexts_filled(const Totals& totals, const hw::UnitConfig& unit);
 

@@ -63,10 +63,33 @@ TEST_F(FidelityTest, FunctionalIsCheckedAgainstTheGoldenModel) {
               HasSubstr("check: 432 pixels compared with the golden model, 0 differing"));
 }
 
+TEST_F(FidelityTest, AnalyticSaysWhichFiguresAreEstimates) {
+  const Finished run =
+      fine({"run", "tiny.obj", "--size", "24x18", "--frames", "0:2", "-o", "out", "--fidelity", "analytic"});
+  EXPECT_THAT(run.out, HasSubstr("95 % between"));
+  EXPECT_THAT(run.out, HasSubstr("bottleneck"));
+  EXPECT_THAT(run.out, HasSubstr("analytic: pixels and counts exact; cycles and DRAM bytes estimated"));
+  const json j = stats("out");
+  double sum = 0;
+  for (const json& frame : j.at("frames")) {
+    for (const char* name : {"cycles", "dram.read_bytes", "dram.write_bytes"}) {
+      const json& e = frame.at("estimates").at(name);
+      EXPECT_LE(e.at("low"), e.at("value"));
+      EXPECT_GE(e.at("high"), e.at("value"));
+    }
+    EXPECT_EQ(frame.at("estimates").at("cycles").at("value"), frame.at("cycles"));
+    EXPECT_FALSE(frame.contains("energy"));
+    sum += frame.at("estimates").at("cycles").at("high").get<double>();
+  }
+  EXPECT_DOUBLE_EQ(j.at("totals").at("estimates").at("cycles").at("high").get<double>(), sum);
+  EXPECT_TRUE(j.at("demand").at("shares").contains(j.at("demand").at("bottleneck").get<std::string>()));
+  EXPECT_THAT(read("out/stats.txt"), HasSubstr("# Estimates with their 95 % intervals"));
+}
+
 TEST_F(FidelityTest, WhatAModeCannotHonourIsRefused) {
   const auto before = content();
-  const auto refusal = [this](std::vector<std::string> more) {
-    std::vector<std::string> args{"run", "tiny.obj", "--size", "8x8", "-o", "out", "--fidelity", "functional"};
+  const auto refusal = [this](const std::string& mode, std::vector<std::string> more) {
+    std::vector<std::string> args{"run", "tiny.obj", "--size", "8x8", "-o", "out", "--fidelity", mode};
     args.insert(args.end(), more.begin(), more.end());
     return refused(args);
   };
@@ -76,8 +99,10 @@ TEST_F(FidelityTest, WhatAModeCannotHonourIsRefused) {
                                                                                       {"--memory-trace", "trace"},
                                                                                       {"--inject-fault", "box"},
                                                                                       {"--pictures", "frame,cycles"}}) {
-    EXPECT_THAT(refusal(option), HasSubstr(option[0] + ": ")) << option[0];
-    EXPECT_THAT(refusal(option), HasSubstr("functional")) << option[0];
+    for (const char* mode : {"functional", "analytic"}) {
+      EXPECT_THAT(refusal(mode, option), HasSubstr(option[0] + ": ")) << option[0];
+      EXPECT_THAT(refusal(mode, option), HasSubstr(mode)) << option[0];
+    }
   }
   EXPECT_EQ(content(), before);
 }

@@ -60,7 +60,7 @@ void expect_same(const TestScene& test, const hw::UnitConfig& config) {
   sim::SimulationOptions options;
   options.fidelity = sim::Fidelity::functional;
   const auto functional = sim::make_simulator(test.scene, config, options, frames_of(test));
-  sim::FunctionalSimulator portable(test.scene, config, frames_of(test), true);
+  sim::FunctionalSimulator portable(test.scene, config, options, frames_of(test), true);
   for (const traces::Frame& frame : test.frames) {
     const sim::FrameOutcome expected = event->run(frame);
     for (sim::FrameSimulator* simulator : {functional.get(), static_cast<sim::FrameSimulator*>(&portable)}) {

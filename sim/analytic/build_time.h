@@ -1,0 +1,18 @@
+// How long a tree's build takes, step by step: its computing, or its traffic.
+#pragma once
+
+#include "hw/memory/build_plan.h"
+#include "sim/analytic/memory_model.h"
+
+namespace artu::sim {
+
+struct BuildTime {
+  std::uint64_t cycles = 0;  // of the unit's clock
+  std::uint64_t lines = 0;   // read and written
+  std::uint64_t dram = 0;    // lines between L2 and DRAM
+};
+
+/// Of a frame whose dynamic geometry has triangles; its lines go through `memory`, which keeps the last of them.
+BuildTime build_time(const hw::UnitConfig& config, const hw::FrameDescriptor& frame, MemoryModel& memory);
+
+}  // namespace artu::sim
