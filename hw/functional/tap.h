@@ -9,10 +9,10 @@ namespace artu::hw {
 /// Nobody.
 struct NoTap {
   void begin_pass(std::uint32_t pass, const FunctionalCounts& counts) {}  // from pass 1 on; counts of all before it
-  void pixel(std::uint32_t x, std::uint32_t y, std::uint32_t pass) {}  // is traced from now on
+  void pixel(std::uint32_t x, std::uint32_t y, std::uint32_t pass) {}     // is traced from now on
   void interpolated(std::uint32_t x, std::uint32_t y, std::uint32_t pass) {}
   void ray(RayKind kind) {}
-  void node(Address record, TreeKind kind) {}  // is visited
+  void node(Address record, TreeKind kind) {}              // is visited
   void leaf(Address first, std::uint32_t count) {}         // its triangles
   void hit_point(Address triangle, Address attributes) {}  // of a hit
   void material(Address record) {}

@@ -207,6 +207,12 @@ void add_scaling_options(CLI::App& command, ScalingOptions& scaling) {
   add_configuration(command, scaling);
   add_jobs(command, scaling.jobs);
   command
+      .add_option_function<std::string>(
+          "--fidelity", [&scaling](const std::string& mode) { scaling.fidelity = parse_fidelity(mode); },
+          "event (default), clocked, or analytic: estimates, much faster")
+      ->option_text("MODE")
+      ->group("Scaling");
+  command
       .add_option("--vary", scaling.variation,
                   "Parameter and its values, the first of which the others are held against; default "
                   "core.count=1,2,4,8,16")

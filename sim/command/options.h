@@ -47,7 +47,8 @@ struct PrecisionOptions {
 struct ScalingOptions {
   SourceOptions source;
   std::vector<std::string> config_files, assignments;
-  std::string variation;   // PARAMETER=VALUE,VALUE...
+  std::string variation;  // PARAMETER=VALUE,VALUE...
+  Fidelity fidelity = Fidelity::event;
   std::string output;      // "" = none given
   std::uint32_t jobs = 1;  // processes
   bool force = false, quiet = false;

@@ -15,6 +15,7 @@
 #include "sim/report/gnuplot.h"
 #include "sim/report/run_folder.h"
 #include "sim/scaling/scaling.h"
+#include "traces/error.h"
 
 namespace artu::sim {
 namespace {
@@ -30,11 +31,12 @@ std::vector<hw::UnitConfig> units_of(const ScalingOptions& options, const Variat
 }
 
 /// Sums over the frames, by unit.
-std::vector<Totals> simulate(const FrameSource& source, const std::vector<hw::UnitConfig>& units, std::uint32_t jobs,
-                             Progress& progress) {
+std::vector<Totals> simulate(const FrameSource& source, const std::vector<hw::UnitConfig>& units, Fidelity fidelity,
+                             std::uint32_t jobs, Progress& progress) {
   StaticTrees trees(source.scene());
   for (const hw::UnitConfig& unit : units) trees.of(unit.accel);
   SimulationOptions options;
+  options.fidelity = fidelity;
   options.static_trees = &trees;
   const std::uint32_t frames = source.range().count();
   std::size_t present = units.size();  // the simulator's; the frames of a unit come one after the other
@@ -67,6 +69,11 @@ int scaling_command(const ScalingOptions& options) {
   std::vector<std::string> log;
   require_file(options.source.path);
   const Variation variation = parse_variation(options.variation);
+  if (options.fidelity != Fidelity::analytic && !is_exact(options.fidelity)) {
+    throw InputError("--fidelity", fmt::format("{} does not have what every resource is asked for; analytic, event or "
+                                               "clocked would be right",
+                                               fidelity_name(options.fidelity)));
+  }
   const std::vector<hw::UnitConfig> units = units_of(options, variation);
   RunFolder folder =
       options.output.empty() ? RunFolder::next_free(options.source.path) : RunFolder(options.output, options.force);
@@ -76,15 +83,18 @@ int scaling_command(const ScalingOptions& options) {
   std::vector<ScalingRow> rows;
   {
     Progress progress(std::uint64_t{frames} * units.size(), "frames", options.quiet);
-    const std::vector<Totals> sums = simulate(source, units, options.jobs, progress);
+    const std::vector<Totals> sums = simulate(source, units, options.fidelity, options.jobs, progress);
     for (std::size_t i = 0; i < units.size(); ++i) {
       rows.push_back(scaling_row(variation.values[i], sums[i], units[i], sums[0].cycles));
     }
   }
-  const std::string title = heading(options.source.path, source);
+  std::string title = heading(options.source.path, source);
+  if (!is_exact(options.fidelity)) title += fmt::format(", cycles estimated ({})", fidelity_name(options.fidelity));
+  Manifest manifest = manifest_of(options.command, options.source.path, source);
+  manifest.simulation.fidelity = options.fidelity;
   write_file(folder.file("scaling.csv"), scaling_csv(variation, rows));
   write_file(folder.file("config.toml"), dump_config(units[0]));
-  write_file(folder.file("manifest.json"), to_json(manifest_of(options.command, options.source.path, source)));
+  write_file(folder.file("manifest.json"), to_json(manifest));
   const std::string no_plot =
       draw_plot(folder.partial(), {scaling_plot, scaling_data(rows), scaling_script(variation, rows, title)});
   folder.commit();

@@ -44,6 +44,16 @@ TEST_F(ScalingTest, NoDemandIsMoreThanThereIs) {
   }
 }
 
+TEST_F(ScalingTest, UnitsCanBeScreenedWithEstimates) {
+  const Finished scaling = fine(
+      {"scaling", "tiny.obj", "--size", "32x24", "--vary", "core.count=1,3", "--fidelity", "analytic", "-o", "out"});
+  EXPECT_THAT(scaling.out, HasSubstr("cycles estimated (analytic)"));
+  const auto rows = csv("out/scaling.csv");
+  fine({"run", "tiny.obj", "--size", "32x24", "--set", "core.count=3", "--fidelity", "analytic", "-o", "run"});
+  EXPECT_EQ(rows[2][1], nlohmann::json::parse(read("run/stats.json")).at("totals").at("cycles").dump());
+  EXPECT_THAT(refused({"scaling", "tiny.obj", "--fidelity", "functional", "-o", "none"}), HasSubstr("functional"));
+}
+
 TEST_F(ScalingTest, BadVariationsAreRefused) {
   for (const char* bad : {"core.count", "=1,2", "core.count=", "core.count=1,,2", "core.count=1,"}) {
     const Finished run = artu({"scaling", "tiny.obj", "--vary", bad, "-o", "out"});
