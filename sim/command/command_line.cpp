@@ -23,6 +23,7 @@ constexpr const char* examples = R"(Examples:
   artu precision scene.glb --bits 8-12,23                what narrow datapaths cost and save
   artu scaling scene.glb --vary core.count=1,2,4,8       what more cores gain, and what limits them
   artu quality scene.glb --references 4,8,16,32          what selective rendering saves, and what the picture loses
+  artu sampling scene.glb --frames 0:60                  how right sampled is
   artu bench                                             how fast every mode is, and how far off
   artu diff a.png b.png                                  how far two pictures are apart
   artu stress                                            rays that are hard to get right, against every kind of tree
@@ -79,6 +80,28 @@ void add_pictures(CLI::App& command, const char* by_default, Take take) {
       ->group("Output");
 }
 
+/// `given` is told of the option that was.
+void add_sample_size(CLI::App& command, SampleSize& size, const std::function<void(const char*)>& given) {
+  const auto percent = [&size, given](const char* option, double SampleSize::*value) {
+    return [&size, given, option, value](const std::string& text) {
+      size.*value = parse_percent(option, text);
+      given(option);
+    };
+  };
+  auto* share =
+      command.add_option_function<std::string>("--sample-share", percent("--sample-share", &SampleSize::share),
+                                               "Of the frames that sampled simulates, at least");
+  share->option_text("P%")->group("Simulation");
+  command
+      .add_option_function<std::string>(
+          "--target-error", percent("--target-error", &SampleSize::target_error),
+          "sampled simulates frames until half the 95 % interval of the cycles is no more; "
+          "default 1%")
+      ->option_text("P%")
+      ->excludes(share)
+      ->group("Simulation");
+}
+
 void add_run_options(CLI::App& command, RunOptions& run) {
   add_source(command, run.source, "640x360", false, false);
   add_configuration(command, run);
@@ -112,11 +135,12 @@ void add_run_options(CLI::App& command, RunOptions& run) {
   command
       .add_option_function<std::string>(
           "--fidelity", [&run](const std::string& mode) { run.simulation.fidelity = parse_fidelity(mode); },
-          "functional: pixels and counts, no cycles; analytic: the same, cycles estimated; event (default): only "
-          "blocks that are awake; clocked: every block "
+          "functional: pixels and counts, no cycles; analytic: the same, cycles estimated; sampled: event for some of "
+          "the frames, the figures of all estimated; event (default): only blocks that are awake; clocked: every block "
           "in every cycle, same result")
       ->option_text("MODE")
       ->group("Simulation");
+  add_sample_size(command, run.sample, [&run](const char* option) { run.sample_given = option; });
   command
       .add_flag("--random-stall", run.simulation.random_stall,
                 "Random extra latency on every channel: changes "
@@ -127,7 +151,7 @@ void add_run_options(CLI::App& command, RunOptions& run) {
   command
       .add_option_function<std::string>(
           "--seed", [&run](const std::string& seed) { run.simulation.seed = parse_seed(seed); },
-          "Of the two above; default 1")
+          "Of the two above, and of the frames that sampled draws; default 1")
       ->option_text("N")
       ->group("Simulation");
   command
@@ -200,6 +224,24 @@ void add_precision_options(CLI::App& command, PrecisionOptions& precision) {
   command.add_option("-o,--output", precision.output, "Folder of the report")->option_text("DIR")->group("Output");
   command.add_flag("--force", precision.force, "Replace an earlier run's folder")->group("Output");
   command.add_flag("--quiet", precision.quiet, "No table, no notes, no progress bar")->group("Output");
+}
+
+void add_sampling_options(CLI::App& command, SamplingOptions& sampling) {
+  add_source(command, sampling.source, "640x360", false, true);
+  add_configuration(command, sampling);
+  add_jobs(command, sampling.jobs);
+  add_sample_size(command, sampling.sample, [](const char*) {});
+  command.add_option("--trials", sampling.trials, "Samples that are drawn; default 200")
+      ->option_text("N")
+      ->check(CLI::Range(1u, 1000000u))
+      ->group("Simulation");
+  command
+      .add_option_function<std::string>(
+          "--seed", [&sampling](const std::string& seed) { sampling.seed = parse_seed(seed); },
+          "Of the first trial; default 1")
+      ->option_text("N")
+      ->group("Simulation");
+  command.add_flag("--quiet", sampling.quiet, "No notes, no progress bar")->group("Output");
 }
 
 void add_scaling_options(CLI::App& command, ScalingOptions& scaling) {
@@ -301,7 +343,7 @@ void refuse_unknown_command(const CLI::App& app, int argc, const char* const* ar
   const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(is_named).empty()) return;
   throw InputError("command line", fmt::format("unknown command \"{}\"; run, check, import, precision, scaling, "
-                                               "quality, bench, diff or stress would be right",
+                                               "quality, sampling, bench, diff or stress would be right",
                                                one_line(argv[1])));
 }
 
@@ -347,6 +389,11 @@ int parse_and_run(int argc, const char* const* argv) {
                          "two minutes with the defaults");
   add_precision_options(*command, precision);
   command->callback([&] { chosen = [&] { return precision_command(precision); }; });
+
+  SamplingOptions sampling;
+  command = app.add_subcommand("sampling", "How right sampled is: all frames simulated, and sampled with many seeds");
+  add_sampling_options(*command, sampling);
+  command->callback([&] { chosen = [&] { return sampling_command(sampling); }; });
 
   ScalingOptions scaling;
   scaling.variation = "core.count=1,2,4,8,16";

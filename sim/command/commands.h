@@ -25,6 +25,7 @@ int scaling_command(const ScalingOptions& options);
 int quality_command(const QualityOptions& options);
 int precision_command(const PrecisionOptions& options);
 int bench_command(const BenchOptions& options);
+int sampling_command(const SamplingOptions& options);
 int diff_command(const std::string& a, const std::string& b);
 int stress_command(const StressCommandOptions& options);
 

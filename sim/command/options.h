@@ -8,6 +8,7 @@
 #include "sim/driver/frame_simulator.h"
 #include "sim/report/memory_trace.h"
 #include "sim/report/picture_set.h"
+#include "sim/sampled/sequence.h"
 
 namespace artu::sim {
 
@@ -22,6 +23,8 @@ struct RunOptions {
   SourceOptions source;
   std::vector<std::string> config_files, assignments;
   SimulationOptions simulation;
+  SampleSize sample;         // of the frames, where the fidelity is `sampled`
+  std::string sample_given;  // the option that has set it; "" = none given
   bool check = false;
   bool folder_by_default = true;                // without `output`: a folder in runs/, or none
   std::string output, pixel_csv, memory_trace;  // "" = none given
@@ -53,6 +56,16 @@ struct ScalingOptions {
   std::uint32_t jobs = 1;  // processes
   bool force = false, quiet = false;
   std::vector<std::string> command;  // the words of the command line
+};
+
+struct SamplingOptions {
+  SourceOptions source;
+  std::vector<std::string> config_files, assignments;
+  SampleSize sample;
+  std::uint32_t trials = 200;
+  std::uint64_t seed = 1;  // of the first trial
+  std::uint32_t jobs = 1;
+  bool quiet = false;
 };
 
 struct QualityOptions {

@@ -205,6 +205,17 @@ MemoryTraceFormat parse_memory_trace_format(const std::string& text) {
                    fmt::format("\"{}\" is no format; dramsim3, ramulator or ramulator2 would be right", text));
 }
 
+double parse_percent(const std::string& option, const std::string& text) {
+  if (!text.empty() && text.back() == '%') {
+    const auto percent = parse_number<double>(text.substr(0, text.size() - 1));
+    if (percent && *percent > 0 && *percent <= 100) return *percent / 100;
+  }
+  throw InputError(option,
+                   fmt::format("\"{}\" is not a share; a percentage such as 5%, above 0% and at most 100%, would be "
+                               "right",
+                               text));
+}
+
 std::uint64_t parse_seed(const std::string& text) {
   if (const auto seed = parse_number<std::uint64_t>(text)) return *seed;
   throw InputError("--seed", fmt::format("\"{}\" is not a seed; an integer from 0 to 2^64 - 1 would be right", text));

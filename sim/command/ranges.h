@@ -55,6 +55,9 @@ std::vector<double> parse_shares(const std::string& text);
 /// dramsim3, ramulator or ramulator2.  Throws InputError.
 MemoryTraceFormat parse_memory_trace_format(const std::string& text);
 
+/// "5%" is 0.05: above 0, 100% at most.  Throws InputError in the name of the option.
+double parse_percent(const std::string& option, const std::string& text);
+
 /// 0 ... 2^64 - 1.  Throws InputError.
 std::uint64_t parse_seed(const std::string& text);
 

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 #include "sim/command/commands.h"
@@ -9,6 +12,7 @@
 #include "sim/command/frame_source.h"
 #include "sim/command/progress.h"
 #include "sim/command/run_report.h"
+#include "sim/command/sampled_run.h"
 #include "sim/compare/golden_settings.h"
 #include "sim/config/configuration.h"
 #include "sim/config/dump.h"
@@ -23,7 +27,8 @@ namespace artu::sim {
 namespace {
 
 /// Every name that a report has, from a run of one triangle.
-std::string stats_list(const hw::UnitConfig& unit, const SimulationOptions& simulation) {
+std::string stats_list(const hw::UnitConfig& unit, SimulationOptions simulation) {
+  if (simulation.fidelity == Fidelity::sampled) simulation.fidelity = Fidelity::event;  // the same names
   const traces::Scene scene = example_scene();
   const Totals totals = totals_of(make_simulator(scene, unit, simulation)->run(example_frame()));
   const auto energy = energy_if_known(totals, unit);
@@ -40,6 +45,7 @@ bool print_lists(const RunOptions& options, const hw::UnitConfig& unit) {
 
 struct RunResult {
   Totals sum;
+  std::vector<std::uint32_t> simulated;  // frames, with `sampled`
   CheckResult check;
   bool lawful = true;  // no accounting law is violated
 };
@@ -50,39 +56,118 @@ void report_violations(const FrameReport& frame) {
   }
 }
 
-/// One frame at a time in each process: memory does not grow with their number.
-RunResult run_frames(const FrameSource& source, FrameSimulator& simulator, const hw::UnitConfig& unit,
-                     const ref::Golden* golden, const RunOptions& options, const MemoryMeter& memory,
-                     RunReport& report) {
-  RunResult result;
-  const FrameRange range = source.range();
-  report.begin_pictures(range.count(), source.scene().fps);
-  std::unique_ptr<ref::Golden> every_pixel;  // the same pixels as the unit's full render, without its cycles
-  if (report.needs_full()) {
+/// What every frame of a run goes through.
+class FrameRun {
+ public:
+  FrameRun(const FrameSource& source, FrameSimulator& simulator, const hw::UnitConfig& unit, const ref::Golden* golden,
+           const RunOptions& options, const MemoryMeter& memory, RunReport& report)
+      : source_(source),
+        simulator_(simulator),
+        unit_(unit),
+        golden_(golden),
+        options_(options),
+        memory_(memory),
+        report_(report) {
+    report.begin_pictures(source.range().count(), source.scene().fps);
+    if (!report.needs_full()) return;
     ref::Settings settings = golden_settings(unit);
     settings.selective = false;
-    every_pixel = std::make_unique<ref::Golden>(source.scene(), settings);
+    every_pixel_ = std::make_unique<ref::Golden>(source.scene(), settings);
   }
-  const auto work = [&](std::uint64_t task) {
-    const traces::Frame frame = source.frame(range.first + static_cast<std::uint32_t>(task));
-    const FrameOutcome outcome = simulator.run(frame);
-    std::optional<FullRender> full;
-    if (every_pixel) full = full_render_of(every_pixel->render(frame));
-    FrameReport written = report.write(outcome, unit, full ? &*full : nullptr);
-    if (golden) compare_frame(golden->render(frame), outcome, written.check);
-    written.totals.memory = memory.use();
-    return written;
-  };
-  Progress progress(range.count(), "frames", options.quiet);
-  in_order<FrameReport>(range.count(), options.jobs, work, [&](std::uint64_t, const FrameReport& frame) {
-    report.add(frame, unit);
-    add(result.sum, frame.totals);
-    add(result.check, frame.check);
+
+  /// One frame at a time in each process: memory does not grow with their number.  In the order of `frames`.
+  void simulate(const std::vector<std::uint32_t>& frames, const std::function<void(const FrameReport&)>& take) const {
+    const auto work = [&](std::uint64_t task) {
+      const traces::Frame frame = source_.frame(frames[task]);
+      const FrameOutcome outcome = simulator_.run(frame);
+      std::optional<FullRender> full;
+      if (every_pixel_) full = full_render_of(every_pixel_->render(frame));
+      FrameReport written = report_.write(outcome, unit_, full ? &*full : nullptr);
+      if (golden_) compare_frame(golden_->render(frame), outcome, written.check);
+      written.totals.memory = memory_.use();
+      return written;
+    };
+    in_order<FrameReport>(frames.size(), options_.jobs, work,
+                          [&](std::uint64_t, const FrameReport& frame) { take(frame); });
+  }
+
+  /// In the order of the frames.
+  void add(const FrameReport& frame, RunResult& result) const {
+    report_.add(frame, unit_);
+    sim::add(result.check, frame.check);
     report_violations(frame);
     result.lawful = result.lawful && frame.violations.empty();
+  }
+
+ private:
+  const FrameSource& source_;
+  FrameSimulator& simulator_;
+  const hw::UnitConfig& unit_;
+  const ref::Golden* const golden_;
+  const RunOptions& options_;
+  const MemoryMeter& memory_;
+  RunReport& report_;
+  std::unique_ptr<ref::Golden> every_pixel_;  // the same pixels as the unit's full render, without its cycles
+};
+
+RunResult run_all(const FrameRun& run, const FrameRange& range, bool quiet) {
+  RunResult result;
+  std::vector<std::uint32_t> frames(range.count());
+  std::iota(frames.begin(), frames.end(), range.first);
+  Progress progress(range.count(), "frames", quiet);
+  run.simulate(frames, [&](const FrameReport& frame) {
+    run.add(frame, result);
+    add(result.sum, frame.totals);
     progress.one_done();
   });
   return result;
+}
+
+/// Draws frames until their number is what was asked for, or the error.
+RunResult run_sample(const FrameRun& run, const FrameSource& source, const hw::UnitConfig& unit,
+                     const SimulationOptions& simulation, const RunOptions& options) {
+  const FrameRange range = source.range();
+  const Looks looks = look_at_frames(source, unit, simulation, options.jobs, options.quiet);
+  FrameSample sample(looks.costs, options.simulation.seed);
+  std::vector<FrameReport> frames;
+  std::vector<Totals> totals;
+  std::uint32_t wanted = options.sample.first(range.count());
+  do {
+    std::vector<std::uint32_t> next = sample.draw(wanted);
+    for (std::uint32_t& frame : next) frame += range.first;
+    Progress progress(next.size(), "frames simulated", options.quiet);
+    run.simulate(next, [&](const FrameReport& frame) {
+      frames.push_back(frame);
+      totals.push_back(frame.totals);
+      progress.one_done();
+    });
+    wanted = options.sample.needed(range.count(), sample.drawn(), estimate_cycles(sample, totals).relative_error());
+  } while (wanted > sample.drawn());
+  RunResult result;
+  result.sum = estimate_totals(sample, totals, unit);
+  result.sum.simulation_seconds += looks.seconds;
+  std::sort(frames.begin(), frames.end(), [](const FrameReport& a, const FrameReport& b) { return a.index < b.index; });
+  for (const FrameReport& frame : frames) {
+    run.add(frame, result);
+    result.simulated.push_back(frame.index);
+  }
+  return result;
+}
+
+/// Options that only a sample has, and those that it cannot honour.
+void check_sample(const RunOptions& options) {
+  if (options.simulation.fidelity != Fidelity::sampled) {
+    if (options.sample_given.empty()) return;
+    throw InputError(options.sample_given, "is of --fidelity sampled; that as well would be right");
+  }
+  SimulationOptions asked = options.simulation;
+  if (!options.memory_trace.empty()) asked.memory_observer = [](hw::Cycle, const hw::MemoryRequest&) {};
+  check_options(asked);
+  if (options.pictures && options.pictures->has(Picture::animation)) {
+    throw InputError("--pictures",
+                     "with --fidelity sampled most frames of an animation are not there; others, or event, "
+                     "would be right");
+  }
 }
 
 void print_dry_run(const RunOptions& options, const FrameSource& source) {
@@ -103,11 +188,13 @@ int run_command(const RunOptions& options) {
                      "right");
   }
   require_file(options.source.path);
-  if (options.pictures && options.pictures->has(Picture::cycles) && !is_exact(options.simulation.fidelity)) {
+  if (options.pictures && options.pictures->has(Picture::cycles) && !is_exact(options.simulation.fidelity) &&
+      options.simulation.fidelity != Fidelity::sampled) {
     throw InputError("--pictures", fmt::format("cycles of a pixel are not known with --fidelity {}; others, or event, "
                                                "would be right",
                                                fidelity_name(options.simulation.fidelity)));
   }
+  check_sample(options);
   std::unique_ptr<RunReport> report;
   if (!options.dry_run) report = std::make_unique<RunReport>(options);
 
@@ -116,6 +203,12 @@ int run_command(const RunOptions& options) {
   const FrameSource source(options.source, log);
   SimulationOptions simulation = options.simulation;
   simulation.log_sink = [](const std::string& line) { fmt::print(stderr, "log: {}\n", line); };
+  const bool sampled = simulation.fidelity == Fidelity::sampled;
+  StaticTrees trees(source.scene());
+  if (sampled) {
+    simulation.fidelity = Fidelity::event;  // of the frames that are simulated
+    simulation.static_trees = &trees;
+  }
   if (report) simulation.memory_observer = report->memory_observer();
   const auto simulator = make_simulator(source.scene(), unit, simulation,
                                         [&source](std::uint32_t index) { return source.first_from(index); });
@@ -128,10 +221,13 @@ int run_command(const RunOptions& options) {
   std::unique_ptr<ref::Golden> golden;
   if (options.check) golden = std::make_unique<ref::Golden>(source.scene(), golden_settings(unit));
 
-  const RunResult result = run_frames(source, *simulator, unit, golden.get(), options, memory, *report);
+  const FrameRun run(source, *simulator, unit, golden.get(), options, memory, *report);
+  const RunResult result =
+      sampled ? run_sample(run, source, unit, simulation, options) : run_all(run, source.range(), options.quiet);
   Manifest manifest = manifest_of(options.command, options.source.path, source);
   manifest.checked = options.check;
   manifest.simulation = options.simulation;
+  manifest.simulated_frames = result.simulated;
   report->finish(result.sum, unit, manifest, golden ? &result.check : nullptr);
 
   print_notes(log, options.quiet);
@@ -144,6 +240,7 @@ int run_command(const RunOptions& options) {
     fmt::print("{}", format_summary({options.source.path, scene.width, scene.height, source.range().first,
                                      source.range().last, unit.clock_mhz},
                                     result.sum, energy ? &*energy : nullptr, limits));
+    if (sampled) fmt::print("{:<12}{} of {} frames simulated\n", "sample", result.simulated.size(), result.sum.frames);
     if (!report->folder().empty()) fmt::print("{:<12}{}\n", "report", report->folder());
   }
   if (golden && !(options.quiet && result.check.passed())) fmt::print("{}", describe(result.check));

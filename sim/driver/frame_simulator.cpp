@@ -31,8 +31,9 @@ std::unique_ptr<FrameSimulator> make_simulator(const traces::Scene& scene, const
   if (options.fidelity == Fidelity::analytic) {
     return std::make_unique<AnalyticSimulator>(scene, unit, options, std::move(frames));
   }
-  throw InputError("--fidelity", std::string(fidelity_name(options.fidelity)) +
-                                     " is not there yet; functional, analytic, event or clocked would be right");
+  throw InputError("--fidelity",
+                   "sampled is about several frames, of which artu run and artu check simulate some; functional, "
+                   "analytic, event or clocked would be right");
 }
 
 }  // namespace artu::sim

@@ -20,6 +20,7 @@ struct Manifest {
   double fps = 0;  // of the animation
   bool checked = false;
   SimulationOptions simulation;
+  std::vector<std::uint32_t> simulated_frames;  // with `sampled`
 };
 
 std::string to_json(const Manifest& manifest);

@@ -18,10 +18,6 @@ bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-bool is_peak(const std::string& name) {
-  return starts_with(name, "peak_") || starts_with(name, "max_") || ends_with(name, "_peak") || ends_with(name, "_max");
-}
-
 void add(hw::Statistics& sum, const hw::Statistics& frame) {
   for (std::size_t i = 0; i < frame.size(); ++i) {
     // The order is fixed, so the counter is nearly always at the same place.
@@ -120,6 +116,10 @@ std::vector<HitRate> hit_rates(const hw::Statistics& statistics) {
 }
 
 }  // namespace
+
+bool is_peak(const std::string& name) {
+  return starts_with(name, "peak_") || starts_with(name, "max_") || ends_with(name, "_peak") || ends_with(name, "_max");
+}
 
 Totals totals_of(const FrameOutcome& o) {
   Totals t;

@@ -42,8 +42,11 @@ struct Totals {
 
 Totals totals_of(const FrameOutcome& outcome);
 
-/// Adds up; an interval's ends too, since the errors of frames need not be independent.  Counters named peak_...,
-/// max_..., ..._peak or ..._max keep the larger value.
+/// Whether a counter of this name is a largest value, which is not added up.
+bool is_peak(const std::string& name);
+
+/// Adds up; an interval's ends too, since the errors of frames need not be independent.  Counters that are
+/// peaks keep the larger value.
 void add(Totals& sum, const Totals& frame);
 
 /// Of a frame or the sum of frames; without what the fidelity does not have.
