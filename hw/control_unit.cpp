@@ -12,6 +12,7 @@ void ControlUnit::reset() {
   finished_at_ = never;
   phase_began_ = 0;
   phase_ = phase_start;
+  builds_skipped_ = 0;
   cycles_start_ = cycles_build_ = cycles_first_ = cycles_selective_ = cycles_flush_ = 0;
 }
 
@@ -138,9 +139,11 @@ Activity ControlUnit::tick(Cycle now) {
       const std::uint64_t before = issued_ + answered_;
       if (fetch()) {
         const FrameDescriptor& frame = registers_.descriptor;
-        if (frame.dynamic_moved != 0 && frame.dynamic_triangle_count != 0) {
+        if (registers_.builds()) {
           ports_.build->push({});
           building_ = true;
+        } else if (frame.dynamic_triangle_count != 0) {
+          ++builds_skipped_;
         }
         if (building_ && ports_.tree_built.empty()) {
           enter(phase_build, now);
@@ -196,6 +199,7 @@ void ControlUnit::report(Statistics& out) const {
   out.push_back(
       {block, "cycles_selective", cycles_selective_, "cycles", "phase: candidates are interpolated or traced"});
   out.push_back({block, "cycles_flush", cycles_flush_, "cycles", "phase: the frame is written back to DRAM"});
+  out.push_back({block, "builds_skipped", builds_skipped_, "frames", "nothing has moved: the dynamic tree was kept"});
 }
 
 std::string ControlUnit::describe() const {

@@ -87,6 +87,7 @@ class ControlUnit : public Block {
   std::uint64_t lines_ = 0, issued_ = 0, answered_ = 0;
   Cycle finished_at_ = never, phase_began_ = 0;
   Phase phase_ = phase_start;
+  std::uint64_t builds_skipped_ = 0;
   std::uint64_t cycles_start_ = 0, cycles_build_ = 0, cycles_first_ = 0, cycles_selective_ = 0, cycles_flush_ = 0;
 };
 

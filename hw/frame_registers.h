@@ -10,10 +10,18 @@
 
 namespace artu::hw {
 
+/// Whether the dynamic tree is built in this frame.
+inline bool builds(const FrameDescriptor& frame, const SkipConfig& skip) {
+  return frame.dynamic_triangle_count != 0 && (frame.dynamic_moved != 0 || !skip.rebuild);
+}
+
 struct FrameRegisters {
   FrameDescriptor descriptor{};
   ShadingConstants shading{};
   std::vector<LightRecord> lights;
+  SkipConfig skip;  // set once, with the unit
+
+  bool builds() const { return hw::builds(descriptor, skip); }
 };
 
 inline constexpr std::uint32_t maximum_lights = 64;

@@ -66,6 +66,7 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
       builder_link_("builder", config.tree_builder.outstanding, config.memory.interconnect_latency,
                     config.memory.interconnect_latency),
       dram_link_("dram", 2 * config.memory.l2.mshrs, 1, 1) {
+  registers_.skip = config.skip;
   for (std::uint32_t i = 0; i < config.core.count; ++i) {
     const std::string core = "core" + std::to_string(i);
     cores.push_back(std::make_unique<RayCore>(core.c_str(), clock, config, registers_, image, i));

@@ -131,6 +131,14 @@ void TreeBuilderConfig::visit(ParameterVisitor& v) {
          "the first pass begins with the build: rays walk the static tree, and wait where they need the dynamic one");
 }
 
+void SkipConfig::visit(ParameterVisitor& v) {
+  v.flag("dynamic_root", dynamic_root, "a ray that misses the dynamic tree's root box does not enter that tree");
+  v.flag("rebuild", rebuild, "the dynamic tree is not built where nothing has moved since the frame before");
+  v.flag("shadow", shadow, "no shadow ray towards a light that cannot add anything");
+  v.flag("texture", texture, "no texel is fetched for a material without a texture");
+  v.flag("any_hit", any_hit, "a shadow ray ends at its first hit; false looks for the nearest one");
+}
+
 void MemoryConfig::visit(ParameterVisitor& v) {
   v.integer("line", line, {64, 64, true}, "bytes", "cache line");
   v.integer("interconnect_latency", interconnect_latency, {1, 1000}, "cycles", "between a core and the L2, each way");
@@ -169,6 +177,9 @@ void UnitConfig::visit(ParameterVisitor& v) {
   v.leave();
   v.enter("tree_builder", "builder of the dynamic tree");
   tree_builder.visit(v);
+  v.leave();
+  v.enter("skip", "work that is left out where a frame does not need it");
+  skip.visit(v);
   v.leave();
   v.enter("memory", "shared memory system");
   memory.visit(v);

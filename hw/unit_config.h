@@ -134,6 +134,16 @@ struct TreeBuilderConfig {
   void visit(ParameterVisitor& v);
 };
 
+/// Work that a frame does not need and that is left out; each changes cycles and counts, and no pixel.
+struct SkipConfig {
+  bool dynamic_root = true;  // the dynamic tree, of a ray that misses its root box
+  bool rebuild = true;       // the dynamic tree's build, where nothing has moved
+  bool shadow = true;        // the shadow ray towards a light that can add nothing
+  bool texture = true;       // the texel fetch of a material without a texture
+  bool any_hit = true;       // what a shadow ray would do behind its first hit
+  void visit(ParameterVisitor& v);
+};
+
 struct UnitConfig {
   std::uint32_t clock_mhz = 500;
   std::uint32_t watchdog = 1000000;  // cycles without a token moving: dead-lock
@@ -144,6 +154,7 @@ struct UnitConfig {
   ShadingConfig shading;
   SelectiveConfig selective;
   TreeBuilderConfig tree_builder;
+  SkipConfig skip;
   MemoryConfig memory;
   EnergyConfig energy;
   void visit(ParameterVisitor& v);

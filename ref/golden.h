@@ -40,6 +40,7 @@ struct Settings {
   std::array<int, 8> table{1, 2, 4, 7, 11, 16, 22, 29};
   unsigned max_depth = 3;          // of reflection and refraction rays; 0 = none
   float min_weight = 0.00390625f;  // of a reflection or refraction ray, to be traced
+  bool every_light = false;        // counts a shadow ray for lights that add nothing as well, where there is a ray
   Precision precision;             // docs/arithmetic.md section 1
 };
 

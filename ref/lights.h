@@ -44,6 +44,15 @@ bool sample_light(const traces::Light& light, const Vector<F>& point, LightSampl
   return true;
 }
 
+/// Whether there is a ray towards the light, reached by it or not.
+template <class F>
+bool can_aim(const traces::Light& light, const Vector<F>& point) {
+  if (light.kind == traces::LightKind::directional) return !is_dead(-Vector<F>(light.direction));
+  const Vector<F> d = light.position - point;
+  const F square = dot(d, d);
+  return 0x1p-100f <= square && square <= 0x1p100f;
+}
+
 /// The weights of a material at a hit, with texture and vertex colour applied.
 template <class N>
 struct Surface {

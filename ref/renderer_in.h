@@ -113,8 +113,11 @@ void RendererIn<N, Tests>::shade_hit(const Task& task, const HitIn<F>& hit, Trip
   for (const traces::Light& light : frame_.lights) {
     LightSample<N, F> arriving;
     Triple<N> added;
-    if (!sample_light(light, point.outside, arriving)) continue;
-    if (!contribution(arriving, point, task.direction, surface, material.specular_log2, task.weight, added)) continue;
+    if (!sample_light(light, point.outside, arriving) ||
+        !contribution(arriving, point, task.direction, surface, material.specular_log2, task.weight, added)) {
+      if (settings_.every_light && can_aim<F>(light, point.outside)) ++rays_.shadow;
+      continue;
+    }
     ++rays_.shadow;
     if (!geometry_.occluded(geometry_.ray(point.outside, arriving.shadow, arriving.tmax))) acc = acc + added;
   }

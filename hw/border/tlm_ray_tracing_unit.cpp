@@ -11,6 +11,7 @@ TlmRayTracingUnit::TlmRayTracingUnit(sc_core::sc_module_name name, const UnitCon
               bridge_ = made.get();
               return made;
             }),
+      skip_rebuild_(config.skip.rebuild),
       registers("registers"),
       memory(bridge_->socket),
       interrupt("interrupt"),
@@ -62,7 +63,7 @@ bool TlmRayTracingUnit::fetch_descriptor() {
   if (f.light_count > maximum_lights || !load(f.lights, f.light_count * sizeof(LightRecord))) return false;
   const std::uint64_t pixels = std::uint64_t{f.pitch} * f.height;
   if (!take_over(f.frame_buffer, pixels * 4) || !take_over(f.hit_classes, pixels)) return false;
-  if (f.dynamic_moved == 0) return true;
+  if (f.dynamic_moved == 0 && skip_rebuild_) return true;
   return take_over(f.dynamic_nodes, std::uint64_t{f.dynamic_node_lines} * line_bytes) &&
          take_over(f.dynamic_triangles, f.dynamic_reference_count * sizeof(TriangleRecord)) &&
          take_over(f.dynamic_attributes, f.dynamic_triangle_count * sizeof(AttributeRecord));

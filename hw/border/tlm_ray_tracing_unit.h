@@ -28,6 +28,7 @@ class TlmRayTracingUnit : public sc_core::sc_module {
   MemoryImage image_;
   TlmMemoryBridge* bridge_ = nullptr;  // of unit_
   RayTracingUnit unit_;
+  const bool skip_rebuild_;
 
  public:
   tlm_utils::simple_target_socket<TlmRayTracingUnit, 32> registers;

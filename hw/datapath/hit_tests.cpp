@@ -32,17 +32,21 @@ HitTests::HitTests(const PrecisionConfig& precision)
   if (box_bits_ == most_fraction_bits && triangle_bits_ == most_fraction_bits) triangle_ = &intersect<float, float>;
 }
 
-void HitTests::roots(const FrameDescriptor& frame, const Ray& ray, std::uint32_t fault, Steps& out) const {
+void HitTests::roots(const FrameDescriptor& frame, const Ray& ray, std::uint32_t fault, Steps& out,
+                     bool skip_dynamic) const {
   // A step's interval is the one in which the walk goes on: cut to [0, tmax], which a kd-tree splits further.
   const auto root = [&](std::uint32_t reference, Vector lo, Vector hi) {
-    if (reference == NodeReference::none) return;
+    if (reference == NodeReference::none) return false;
     Interval whole = box(ray, lo, hi);
     if (fault != 0) whole.exit = float_of(bits_of(whole.exit) ^ fault);
     ++out.tests;
-    if (meets(whole, ray.tmax)) out.add(reference, maximum(whole.enter, 0.0f), minimum(whole.exit, ray.tmax));
+    if (!meets(whole, ray.tmax)) return true;
+    out.add(reference, maximum(whole.enter, 0.0f), minimum(whole.exit, ray.tmax));
+    return false;
   };
   root(frame.static_root, frame.static_lo, frame.static_hi);
-  root(frame.dynamic_root, frame.dynamic_lo, frame.dynamic_hi);
+  const bool missed = root(frame.dynamic_root, frame.dynamic_lo, frame.dynamic_hi);
+  if (missed && !skip_dynamic) out.add(frame.dynamic_root, out.count != 0 ? out.step[0].enter : 0.0f, ray.tmax);
 }
 
 }  // namespace artu::hw

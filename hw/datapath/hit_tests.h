@@ -22,8 +22,10 @@ class HitTests {
             Steps& out) const {
     node_(kind, record, ray, from, limit, padding_, fault, out);
   }
-  /// The first step of a ray: both root boxes.  A root that is `none` is left out.
-  void roots(const FrameDescriptor& frame, const Ray& ray, std::uint32_t fault, Steps& out) const;
+  /// The first step of a ray: both root boxes.  A root that is `none` is left out.  Without `skip_dynamic` the dynamic
+  /// root is entered though its box is missed, after the static one: nothing is hit in there.
+  void roots(const FrameDescriptor& frame, const Ray& ray, std::uint32_t fault, Steps& out,
+             bool skip_dynamic = true) const;
 
  private:
   using BoxTest = Interval (*)(const Ray&, Vector lo, Vector hi, float padding);

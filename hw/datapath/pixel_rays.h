@@ -44,11 +44,16 @@ class PendingRays {
 };
 
 /// Looks at the lights from `light` on, which ends behind the last one looked at; true if that one asks for a shadow
-/// ray.
+/// ray.  Without `skip` one that can add nothing does as well, if there is a ray towards it.
 inline bool next_shadow_ray(const ShadingSteps& steps, const std::vector<LightRecord>& lights, const ShadedPoint& point,
-                            std::uint32_t& light, ShadowRay& shadow) {
+                            std::uint32_t& light, ShadowRay& shadow, bool skip = true) {
   while (light < lights.size()) {
-    if (steps.light_contribution(point, lights[light++], shadow)) return true;
+    const LightRecord& record = lights[light++];
+    if (steps.light_contribution(point, record, shadow)) return true;
+    if (!skip && aim(point, record, shadow)) {
+      shadow.contribution = {};
+      return true;
+    }
   }
   return false;
 }

@@ -66,6 +66,18 @@ bool sample_light(const ShadedPoint& point, const LightRecord& light, VectorOf<R
 
 }  // namespace
 
+bool aim(const ShadedPoint& point, const LightRecord& light, ShadowRay& shadow) {
+  if (light.type == LightType::directional) {
+    shadow.direction = -light.direction;
+    shadow.tmax = two_pow_100;
+    return !is_zero(shadow.direction);
+  }
+  shadow.direction = light.position - point.outside;
+  shadow.tmax = 1.0f;
+  const float distance = dot(shadow.direction, shadow.direction);
+  return distance >= two_pow_minus_100 && distance <= two_pow_100;
+}
+
 template <class R>
 bool light_contribution(const ShadedPoint& point, const LightRecord& light, ShadowRay& shadow) {
   VectorOf<R> to_light, intensity;

@@ -47,6 +47,9 @@ struct ShadowRay {
 template <class R = float>
 bool light_contribution(const ShadedPoint& point, const LightRecord& light, ShadowRay& shadow);
 
+/// Direction and length alone; false if there is no ray: the light is too near or too far for binary32.
+bool aim(const ShadedPoint& point, const LightRecord& light, ShadowRay& shadow);
+
 /// Rays to follow from a hit; a weight is zero where there is no ray.
 struct NextRays {
   bool reflection = false, refraction = false;

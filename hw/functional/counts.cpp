@@ -28,6 +28,7 @@ void FunctionalCounts::report(Statistics& out) const {
   add("core.shading", "lights", lights, "", "lights looked at");
   add("core.shading", "lights_skipped", lights_skipped, "", "lights that could add nothing: no shadow ray");
   add("core.shading", "textured", textured, "", "hits with a texture");
+  add("core.shading", "textures_skipped", textures_skipped, "", "hits without one: no texel fetched");
   add("core.shading", "pixels", sampled + traced, "pixels", "pixels finished");
   add("first_rendering_unit", "pixels", sampled, "pixels", "sampling pixels");
   add("candidate_pixel_extractor", "candidates", candidates, "pixels", "candidate pixels handed on");

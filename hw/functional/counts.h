@@ -17,7 +17,7 @@ struct FunctionalCounts {
   std::uint64_t triangles = 0;  // of a shadow ray up to its first hit
   std::uint64_t left_out = 0;   // of a shadow ray's leaf behind its first hit: the blocks may test some of them
   // Hit point and shading.
-  std::uint64_t hit_points = 0, sky = 0, lights = 0, lights_skipped = 0, textured = 0;
+  std::uint64_t hit_points = 0, sky = 0, lights = 0, lights_skipped = 0, textured = 0, textures_skipped = 0;
   // Selective rendering.
   std::uint64_t sampled = 0, candidates = 0, interpolated = 0, traced = 0, differences = 0;
   std::uint64_t static_neighbours = 0, dynamic_neighbours = 0, lowered = 0, raised = 0;

@@ -105,6 +105,10 @@ class PixelTracer {
       for (int i = 0; i < 4; ++i) {
         tap_.texel(texel_address(material.texels, material.width, at.x[i & 1], at.y[i >> 1]));
       }
+    } else if (registers_.skip.texture) {
+      ++counts_.textures_skipped;
+    } else {
+      tap_.texel(registers_.descriptor.materials);
     }
     return texture_at(steps_, image_, material, at);
   }
@@ -115,11 +119,15 @@ class PixelTracer {
     Ray ray;
     Found found;
     ray.origin = point.outside;
-    while (next_shadow_ray(steps_, registers_.lights, point, light, shadow)) {
+    while (next_shadow_ray(steps_, registers_.lights, point, light, shadow, registers_.skip.shadow)) {
       ray.direction = shadow.direction;
       ray.tmax = shadow.tmax;
       begin(RayKind::shadow, ray);
-      walker_.template walk<true>(ray, found);
+      if (registers_.skip.any_hit) {
+        walker_.template walk<true>(ray, found);
+      } else {
+        walker_.template walk<false>(ray, found);
+      }
       if (!found.hit) sum_ = steps_.add(sum_, shadow.contribution);
       --counts_.lights_skipped;
     }

@@ -102,6 +102,7 @@ template <class Tap>
 FunctionalCounts FunctionalUnit::run(Address descriptor, std::uint32_t stack_needed, PixelRecords& records,
                                      Tap& tap) const {
   FrameRegisters registers;
+  registers.skip = config_.skip;
   take_descriptor(image_.at<FrameDescriptor>(descriptor), config_.shading, registers);
   take_lights(image_, registers);
   const bool overflows = stack_needed > config_.core.stack_entries;

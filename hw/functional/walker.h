@@ -19,6 +19,7 @@ class Walker {
   Walker(const UnitConfig& config, const FrameMemory& memory, bool portable, bool overflows, FunctionalCounts& counts,
          Tap& tap)
       : config_(config.core),
+        skip_dynamic_(config.skip.dynamic_root),
         tests_(config.precision),
         memory_(memory),
         padding_(box_padding(static_cast<int>(std::min(config.precision.box, config.precision.triangle)))),
@@ -36,7 +37,7 @@ class Walker {
     found.hit = false;
     if (is_zero(ray.direction)) return;
     Steps roots;
-    tests_.roots(memory_.frame, ray, 0, roots);
+    tests_.roots(memory_.frame, ray, 0, roots, skip_dynamic_);
     counts_.boxes += roots.tests;
     count_dynamic(roots);
 #ifdef ARTU_SSE2
@@ -86,6 +87,7 @@ class Walker {
 #endif
 
   const RayCoreConfig config_;
+  const bool skip_dynamic_;
   const HitTests tests_;
   const FrameMemory memory_;
   const float padding_;
@@ -137,7 +139,7 @@ bool Walker<Tap>::pop(const Ray& ray, const Found& found, Step& next) {
       stack_.restart();
       ++counts_.restarts;
       Steps roots;
-      tests_.roots(memory_.frame, ray, 0, roots);
+      tests_.roots(memory_.frame, ray, 0, roots, skip_dynamic_);
       counts_.boxes += roots.tests;
       push(roots, next);
       if (next.node != NodeReference::none) return true;

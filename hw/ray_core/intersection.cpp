@@ -46,7 +46,8 @@ Activity Intersection::tick(Cycle now) {
     Leaf& leaf = leaves_[slot];
     test(slot, tag & 255);
     ++leaf.answered;
-    if (contexts_[slot].kind == RayKind::shadow && contexts_[slot].found && leaf.count > leaf.fetched) {
+    if (registers_.skip.any_hit && contexts_[slot].kind == RayKind::shadow && contexts_[slot].found &&
+        leaf.count > leaf.fetched) {
       left_out_ += leaf.count - leaf.fetched;
       leaf.count = leaf.fetched;
       if (fetching_ && fetch_slot_ == slot) fetching_ = false;

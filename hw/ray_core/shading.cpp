@@ -12,7 +12,7 @@ void Shading::reset() {
   finish_queue_.clear();
   shader_free_ = 0;
   outstanding_ = 0;
-  shaded_ = sky_ = lights_ = lights_skipped_ = textured_ = pixels_ = 0;
+  shaded_ = sky_ = lights_ = lights_skipped_ = textured_ = textures_skipped_ = pixels_ = 0;
 }
 
 void Shading::want(RayContext& context, Address line) {
@@ -31,11 +31,22 @@ void Shading::fetch_material(Slot slot) {
   fetch_queue_.push(slot);
 }
 
-/// True if the material has a texture, whose texels are now on the list.
+/// True if the material has a texture, whose texels are now on the list.  Without the skip one that has none takes a
+/// line too, the same for all of them.
 bool Shading::fetch_texels(Slot slot) {
   RayContext& context = contexts_[slot];
   const auto& material = image_.at<MaterialRecord>(context.material);
-  if (material.texels == 0) return false;
+  if (material.texels == 0) {
+    if (registers_.skip.texture) {
+      ++textures_skipped_;
+      return false;
+    }
+    context.fetch_count = context.fetch_issued = 0;
+    context.texels_fetched = true;
+    want(context, registers_.descriptor.materials);
+    fetch_queue_.push(slot);
+    return true;
+  }
   context.footprint = footprint(material, context.surface.u, context.surface.v);
   context.fetch_count = context.fetch_issued = 0;
   context.texels_fetched = true;
@@ -87,7 +98,8 @@ void Shading::lights(Slot slot, Cycle now, std::uint32_t latency) {
   RayContext& context = contexts_[slot];
   const std::uint32_t first = context.light;
   ShadowRay shadow;
-  const bool found = next_shadow_ray(steps_, registers_.lights, context.point, context.light, shadow);
+  const bool found =
+      next_shadow_ray(steps_, registers_.lights, context.point, context.light, shadow, registers_.skip.shadow);
   const std::uint32_t looked_at = context.light - first;
   lights_ += looked_at;
   lights_skipped_ += looked_at - (found ? 1 : 0);
@@ -224,6 +236,7 @@ void Shading::report(Statistics& out) const {
   out.push_back({block, "lights", lights_, "", "lights looked at"});
   out.push_back({block, "lights_skipped", lights_skipped_, "", "lights that could add nothing: no shadow ray"});
   out.push_back({block, "textured", textured_, "", "hits with a texture"});
+  out.push_back({block, "textures_skipped", textures_skipped_, "", "hits without one: no texel fetched"});
   out.push_back({block, "pixels", pixels_, "pixels", "pixels finished"});
 }
 

@@ -90,7 +90,8 @@ class Shading : public Block {
   SlotQueue fetch_queue_, shade_queue_, finish_queue_;
   Cycle shader_free_ = 0;
   std::uint32_t outstanding_ = 0;
-  std::uint64_t shaded_ = 0, sky_ = 0, lights_ = 0, lights_skipped_ = 0, textured_ = 0, pixels_ = 0;
+  std::uint64_t shaded_ = 0, sky_ = 0, lights_ = 0, lights_skipped_ = 0, textured_ = 0, textures_skipped_ = 0,
+                pixels_ = 0;
 };
 
 }  // namespace artu::hw

@@ -16,7 +16,7 @@ void Traversal::reset() {
   boxed_at_ = 0;
   stepper_free_ = testers_free_ = 0;
   awaited_ = 0;
-  node_visits_ = box_tests_ = leaves_ = dropped_ = dynamic_skipped_ = 0;
+  node_visits_ = box_tests_ = leaves_ = dropped_ = dynamic_skipped_ = cut_short_ = 0;
   pushes_ = spilled_lines_ = refilled_lines_ = restarts_ = waits_for_tree_ = 0;
   finished_.fill(0);
 }
@@ -64,7 +64,7 @@ void Traversal::begin(Slot slot, Cycle now) {
 Steps Traversal::test_roots(const RayContext& context) const {
   Steps steps;
   if (is_zero(context.ray.direction)) return steps;
-  hit_tests_.roots(registers_.descriptor, context.ray, fault_, steps);
+  hit_tests_.roots(registers_.descriptor, context.ray, fault_, steps, registers_.skip.dynamic_root);
   if (context.dynamic_last && steps.count == 2 && NodeReference::is_dynamic(steps.step[0].node)) {
     std::swap(steps.step[0], steps.step[1]);
   }
@@ -100,7 +100,7 @@ Traversal::Advance Traversal::finish(Slot slot, RayContext& context) {
 /// What a ray does next: fetch a node, have a leaf tested, or end.
 Traversal::Advance Traversal::advance(Slot slot, Cycle now) {
   RayContext& context = contexts_[slot];
-  const bool occluded = context.kind == RayKind::shadow && context.found;
+  const bool occluded = registers_.skip.any_hit && context.kind == RayKind::shadow && context.found;
   std::uint32_t dropped = 0;
   while (!occluded && context.next.node == NodeReference::none && !context.stack.empty()) {
     const Step& top = context.stack.top();
@@ -116,7 +116,12 @@ Traversal::Advance Traversal::advance(Slot slot, Cycle now) {
     stepper_free_ = now + 1 + dropped;
     return Advance::dropping;
   }
-  if (occluded) return finish(slot, context);
+  if (occluded) {
+    const bool left = context.next.node != NodeReference::none || !context.stack.empty() || context.stack.overflown();
+    const Advance end = finish(slot, context);
+    if (end == Advance::done && left && !context.awaits_spills) ++cut_short_;
+    return end;
+  }
   const std::uint32_t next = context.next.node;
   if (next == NodeReference::none) {
     return context.stack.overflown() ? underflow(slot, context) : finish(slot, context);
@@ -255,6 +260,7 @@ void Traversal::report(Statistics& out) const {
   out.push_back({block, "refilled_lines", refilled_lines_, "lines", "of stack entries read back"});
   out.push_back({block, "restarts", restarts_, "", "walks from the roots again, for a forgotten stack entry"});
   out.push_back({block, "tree_waits", waits_for_tree_, "rays", "rays that waited for the dynamic tree to be built"});
+  out.push_back({block, "cut_short", cut_short_, "rays", "shadow rays that were blocked with nodes or leaves to go"});
   out.push_back({block, "dynamic_skipped", dynamic_skipped_, "rays", "rays that missed the dynamic tree's root box"});
 }
 

@@ -155,7 +155,7 @@ class Traversal : public Block {
   Cycle boxed_at_ = 0;                   // when the last one that entered the box pipeline leaves it
   Cycle stepper_free_ = 0, testers_free_ = 0;
   std::uint32_t awaited_ = 0;  // rays that wait for memory
-  std::uint64_t node_visits_ = 0, box_tests_ = 0, leaves_ = 0, dropped_ = 0, dynamic_skipped_ = 0;
+  std::uint64_t node_visits_ = 0, box_tests_ = 0, leaves_ = 0, dropped_ = 0, dynamic_skipped_ = 0, cut_short_ = 0;
   std::uint64_t pushes_ = 0, spilled_lines_ = 0, refilled_lines_ = 0, restarts_ = 0, waits_for_tree_ = 0;
   std::array<std::uint64_t, ray_kinds> finished_{};
 };

@@ -78,10 +78,7 @@ bool Traversal::answer_spills() {
   return true;
 }
 
-bool Traversal::dynamic_ready() const {
-  const FrameDescriptor& frame = registers_.descriptor;
-  return ports_.built == nullptr || built_ || frame.dynamic_moved == 0 || frame.dynamic_triangle_count == 0;
-}
+bool Traversal::dynamic_ready() const { return ports_.built == nullptr || built_ || !registers_.builds(); }
 
 /// The dynamic tree is there: rays that wait for it go on.
 bool Traversal::release() {

@@ -42,7 +42,7 @@ FrameOutcome AnalyticSimulator::run(const traces::Frame& frame) {
   MemoryModel memory(impl.config);
   FrameLoad load;
   load.descriptor_lines = sizeof(hw::FrameDescriptor) / 64 + descriptor.light_count;
-  if (descriptor.dynamic_moved != 0 && descriptor.dynamic_triangle_count != 0) {
+  if (hw::builds(descriptor, impl.config.skip)) {
     load.build = build_time(impl.config, descriptor, memory);
   }
   const MemoryCounts built = memory.counts();

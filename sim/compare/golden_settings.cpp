@@ -61,6 +61,7 @@ ref::Settings golden_settings(const hw::UnitConfig& unit) {
   for (std::size_t i = 0; i < to.table.size(); ++i) to.table[i] = static_cast<int>(from.table[i]);
   to.max_depth = unit.shading.max_depth;
   to.min_weight = unit.shading.min_weight;
+  to.every_light = !unit.skip.shadow;
   to.precision = {static_cast<int>(unit.precision.box), static_cast<int>(unit.precision.triangle),
                   static_cast<int>(unit.precision.shading)};
   return to;

@@ -67,6 +67,10 @@ inline hw::UnitConfig draw_configuration(Draw& draw) {
   config.memory.dram.channels = 1u << draw(4);
   config.memory.dram.queue_depth = 1 + draw(20);
   config.tree_builder.outstanding = 1 + draw(12);
+  for (bool* skip : {&config.skip.dynamic_root, &config.skip.rebuild, &config.skip.shadow, &config.skip.texture,
+                     &config.skip.any_hit}) {
+    *skip = draw(3) != 0;
+  }
   return config;
 }
 
