@@ -9,7 +9,8 @@
 
 namespace artu::hw {
 
-/// A child to visit: its reference and the ray's interval in it.
+/// A child to visit: its reference and the ray's interval in it.  Only a kd-tree's step needs the end; those of a BVH's
+/// node may have any.
 struct Step {
   std::uint32_t node = NodeReference::none;
   float enter = 0, exit = 0;
