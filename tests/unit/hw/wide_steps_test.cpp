@@ -17,10 +17,13 @@ namespace {
 
 class Random {
  public:
-  /// Few values, so that ties are frequent; now and then one that is special.
+  /// Few values, so that ties are frequent, or such that are a few steps apart, for the padding; now and then one that
+  /// is special.
   float coordinate() {
     static constexpr float special[] = {0.0f, -0.0f, 1e-40f, 1e30f, -1e30f, std::numeric_limits<float>::infinity()};
-    return below(40) == 0 ? special[below(6)] : 0.25f * static_cast<float>(static_cast<int>(below(33)) - 16);
+    if (below(40) == 0) return special[below(6)];
+    const float x = 0.25f * static_cast<float>(static_cast<int>(below(17)) - 8);
+    return x != 0 && below(2) == 0 ? float_of(bits_of(x) + below(8)) : x;
   }
   Vector vector() { return {coordinate(), coordinate(), coordinate()}; }
   std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(random_() % n); }
