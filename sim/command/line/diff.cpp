@@ -1,0 +1,25 @@
+#include "sim/command/line/lines.h"
+#include "sim/command/line/shared.h"
+
+namespace artu::sim {
+namespace {
+
+struct Pictures {
+  std::string a, b;
+};
+
+int run(const Pictures& pictures) { return diff_command(pictures.a, pictures.b); }
+
+}  // namespace
+
+void add_diff(CommandLine& line) {
+  const auto pictures = std::make_shared<Pictures>();
+  CLI::App& command = add_command(line, "diff",
+                                  "How far two PNG pictures are apart: PSNR, SSIM, FLIP, largest difference, share of "
+                                  "pixels; exit code 0 whenever they could be compared",
+                                  pictures, run);
+  command.add_option("A.png", pictures->a, "A picture")->option_text(" ")->required();
+  command.add_option("B.png", pictures->b, "Another, of the same size")->option_text(" ")->required();
+}
+
+}  // namespace artu::sim
