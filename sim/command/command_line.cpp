@@ -8,21 +8,35 @@
 namespace artu::sim {
 namespace {
 
-constexpr const char* examples = R"(Examples:
-  artu run scripts/scenes/default.stage.toml             one frame of the sample stage into runs/default-1
-  artu run scene.glb --frames 0:30 --size 320x180        30 frames of a glTF animation
-  artu run scene.glb -c phone.toml --set core.count=4    another unit
-  artu check scene.glb --frames 12                       frame 12 against the golden model
-  artu import scene.glb --frames all -o scene.artu       all frames as a trace, to run without the scene
-  artu precision scene.glb --bits 8-12,23                what narrow datapaths cost and save
-  artu scaling scene.glb --vary core.count=1,2,4,8       what more cores gain, and what limits them
-  artu quality scene.glb --references 4,8,16,32          what selective rendering saves, and what the picture loses
-  artu sampling scene.glb --frames 0:60                  how right sampled is
-  artu bench                                             how fast every mode is, and how far off
-  artu diff a.png b.png                                  how far two pictures are apart
-  artu stress                                            rays that are hard to get right, against every kind of tree
-  artu run --list-params                                 what can be configured
+/// A command, and under which heading `artu --help` has it; headings come in the order of their first commands.
+struct Command {
+  const char* group;
+  void (*add)(CommandLine&);
+};
 
+constexpr const char* simulate = "Simulate";
+constexpr const char* explore = "Explore a design";
+constexpr const char* check = "Check the model";
+constexpr const char* input = "Prepare input";
+
+constexpr Command commands[] = {
+    {simulate, add_run}, {explore, add_scaling}, {explore, add_quality}, {explore, add_precision}, {check, add_check},
+    {check, add_diff},   {check, add_stress},    {check, add_sampling},  {check, add_bench},       {input, add_import},
+};
+
+/// One or two of a group; each command has its own.
+const std::vector<Example> examples{
+    {"artu run scripts/scenes/default.stage.toml", "one frame of the sample stage into runs/default-1"},
+    {"artu run scene.glb -c phone.toml --set core.count=4", "another unit"},
+    {"artu run --list-params", "what can be configured"},
+    {"artu scaling scene.glb --vary core.count=1,2,4,8", "what more cores gain, and what limits them"},
+    {"artu check scene.glb --frames 12", "frame 12 against the golden model"},
+    {"artu import scene.glb --frames all -o scene.artu", "all frames as a trace, to run without the scene"},
+};
+
+constexpr const char* ending = R"(
+
+artu COMMAND --help has the options of a command and more examples.
 Exit codes: 0 fine, 1 mismatch with the golden model, 2 usage or input, 3 dead-lock, 4 internal.)";
 
 /// One line, without the full stop.
@@ -48,13 +62,13 @@ void refuse_unknown_command(const CLI::App& app, int argc, const char* const* ar
 int parse_and_run(int argc, const char* const* argv) {
   CLI::App app("ARTU: a cycle-approximate model of a mobile ray-tracing unit, exact to the bit in every pixel", "artu");
   app.set_version_flag("--version", std::string("artu ") + ARTU_VERSION, "Print the version and end");
-  app.footer(examples);
   app.require_subcommand(1);
   CommandLine line{app, {}, {argv, argv + argc}};
-  for (const auto add : {add_run, add_check, add_import, add_precision, add_sampling, add_scaling, add_quality,
-                         add_bench, add_diff, add_stress}) {
-    add(line);
+  for (const Command& command : commands) {
+    command.add(line);
+    app.get_subcommands([](const CLI::App*) { return true; }).back()->group(command.group);
   }
+  app.footer(format_examples(examples) + ending);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -12,6 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 class UsageTest : public ProgramTest {};
 
@@ -22,6 +23,24 @@ TEST_F(UsageTest, VersionAndHelpAreFine) {
     EXPECT_THAT(help, HasSubstr(word));
   }
   EXPECT_THAT(fine({"run", "--help"}).out, HasSubstr("--list-params"));
+}
+
+TEST_F(UsageTest, EveryCommandHasAGroupAndExamples) {
+  const std::string help = fine({"--help"}).out;
+  for (const char* group : {"Simulate", "Explore a design", "Check the model", "Prepare input"}) {
+    EXPECT_THAT(help, HasSubstr("\n" + std::string(group) + ":\n"));
+  }
+  EXPECT_THAT(help, Not(HasSubstr("Subcommands:")));
+  // "  scaling                     What one ..."
+  const std::regex command("\n  ([a-z]+) +[A-Z]");
+  std::size_t commands = 0;
+  for (std::sregex_iterator found(help.begin(), help.end(), command), end; found != end; ++found, ++commands) {
+    const std::string name = found->str(1);
+    const std::string own = fine({name, "--help"}).out;
+    EXPECT_THAT(own, HasSubstr("\nExamples:\n  artu " + name)) << "use add_examples";
+    EXPECT_THAT(own, Not(HasSubstr("Exit codes:")));
+  }
+  EXPECT_GE(commands, 10u);
 }
 
 TEST_F(UsageTest, EveryOptionIsDocumented) {

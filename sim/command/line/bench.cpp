@@ -43,11 +43,11 @@ void declare(CLI::App& command, BenchOptions& bench) {
 void add_bench(CommandLine& line) {
   const auto options = std::make_shared<BenchOptions>();
   options->command = line.words;
-  declare(add_command(line, "bench",
-                      "Time every mode of simulation and the golden model on the same frames, in turns: run "
-                      "time, memory, error of the cycles, and how they grow",
-                      options, bench_command),
-          *options);
+  CLI::App& command = add_command(line, "bench", "How fast every mode of simulation is, and how far off its cycles are",
+                                  options, bench_command);
+  declare(command, *options);
+  add_examples(command, {{"artu bench", "the samples, all modes, and how time and memory grow"},
+                         {"artu bench scenes/ --fidelity event,analytic --no-growth", "every scene of a folder"}});
 }
 
 }  // namespace artu::sim

@@ -10,6 +10,9 @@ void add_import(CommandLine& line) {
   command.add_option("-o,--output", options->output, "The trace")->option_text("FILE")->required()->group("Output");
   command.add_flag("--force", options->force, "Replace an existing FILE")->group("Output");
   command.add_flag("--quiet", options->quiet, "No summary, no notes, no progress bar")->group("Output");
+  add_examples(command,
+               {{"artu import scene.glb --frames all -o scene.artu", "all frames of the animation"},
+                {"artu import room.stage.toml --size 320x180 --frames 0:4 -o room.artu", "four frames of a stage"}});
 }
 
 }  // namespace artu::sim

@@ -29,13 +29,12 @@ void declare(CLI::App& command, PrecisionOptions& precision) {
 void add_precision(CommandLine& line) {
   const auto options = std::make_shared<PrecisionOptions>();
   options->command = line.words;
-  declare(add_command(line, "precision",
-                      "Simulate frames with datapaths of every width and with every kind of tree: cycles, node "
-                      "visits, and how far the picture is from 23 bits' and from one in binary64.  Widths and "
-                      "trees of the configuration do not count.  A frame of the sample stage takes one to "
-                      "two minutes with the defaults",
-                      options, precision_command),
-          *options);
+  CLI::App& command = add_command(
+      line, "precision", "What narrow datapaths cost, and what they do to the picture, with every kind of tree",
+      options, precision_command);
+  declare(command, *options);
+  add_examples(command, {{"artu precision scene.glb", "all widths and trees: a minute or two"},
+                         {"artu precision scene.glb --bits 8-12,23 --trees bvh2", "some of them"}});
 }
 
 }  // namespace artu::sim

@@ -37,11 +37,11 @@ void declare(CLI::App& command, QualityOptions& quality) {
 void add_quality(CommandLine& line) {
   const auto options = std::make_shared<QualityOptions>();
   options->command = line.words;
-  declare(add_command(line, "quality",
-                      "Simulate the same frames with every policy and reference threshold: cycles, rays, DRAM "
-                      "bytes and energy against the picture's distance from the full render",
-                      options, quality_command),
-          *options);
+  CLI::App& command = add_command(line, "quality", "What selective rendering saves, and what the picture loses",
+                                  options, quality_command);
+  declare(command, *options);
+  add_examples(command, {{"artu quality scene.glb --frames 4 --size 320x180", "all policies and thresholds"},
+                         {"artu quality scene.glb --references 4,8,16,32 --policies fixed,attention", "some"}});
 }
 
 }  // namespace artu::sim

@@ -85,6 +85,14 @@ void add_run(CommandLine& line) {
   declare(command, *options);
   command.add_flag("--check", options->check, "Compare every pixel with the golden model; exit code 1 on a mismatch")
       ->group("Output");
+  add_examples(command,
+               {{"artu run scripts/scenes/default.stage.toml", "one frame of the sample stage into runs/default-1"},
+                {"artu run scene.glb --frames 0:30 --size 320x180 --jobs 2", "30 frames of a glTF animation"},
+                {"artu run scene.glb -c phone.toml --set core.count=4", "another unit"},
+                {"artu run scene.glb --fidelity analytic", "an estimate of the cycles, to screen with"},
+                {"artu run scene.glb --pictures all -o report", "with every picture, into report"},
+                {"artu run --list-params", "what can be configured"},
+                {"artu run --dump-config --set memory.dram.preset=lpddr5-6400", "a configuration as a file"}});
 }
 
 void add_check(CommandLine& line) {
@@ -92,10 +100,12 @@ void add_check(CommandLine& line) {
   options->command = line.words;
   options->check = true;
   options->folder_by_default = false;
-  declare(
-      add_command(line, "check", "Simulate frames and compare every pixel with the golden model; a report only with -o",
-                  options, run_command),
-      *options);
+  CLI::App& command =
+      add_command(line, "check", "Simulate frames and compare every pixel with the golden model", options, run_command);
+  declare(command, *options);
+  add_examples(command, {{"artu check scene.glb --frames 12", "frame 12 against the golden model"},
+                         {"artu check scene.glb --frames all --jobs 2 -o report", "every frame, with a report"},
+                         {"artu check scene.glb --inject-fault box:3", "a fault that must be found: exit code 1"}});
 }
 
 }  // namespace artu::sim

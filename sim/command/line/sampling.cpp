@@ -26,9 +26,11 @@ void declare(CLI::App& command, SamplingOptions& sampling) {
 
 void add_sampling(CommandLine& line) {
   const auto options = std::make_shared<SamplingOptions>();
-  declare(add_command(line, "sampling", "How right sampled is: all frames simulated, and sampled with many seeds",
-                      options, sampling_command),
-          *options);
+  CLI::App& command = add_command(line, "sampling", "How right `--fidelity sampled` is on a sequence of frames",
+                                  options, sampling_command);
+  declare(command, *options);
+  add_examples(command, {{"artu sampling scene.glb --frames 0:60 --jobs 2", "200 samples of 60 frames"},
+                         {"artu sampling scene.glb --frames 0:60 --sample-share 10%", "six frames each"}});
 }
 
 }  // namespace artu::sim

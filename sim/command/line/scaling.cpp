@@ -29,11 +29,13 @@ void add_scaling(CommandLine& line) {
   const auto options = std::make_shared<ScalingOptions>();
   options->command = line.words;
   options->variation = "core.count=1,2,4,8,16";
-  declare(add_command(line, "scaling",
-                      "Simulate the same frames with several values of one parameter: cycles, speed-up, and "
-                      "what limits it",
-                      options, scaling_command),
-          *options);
+  CLI::App& command =
+      add_command(line, "scaling", "What one parameter gains, and what limits it", options, scaling_command);
+  declare(command, *options);
+  add_examples(command,
+               {{"artu scaling scene.glb", "1, 2, 4, 8 and 16 cores"},
+                {"artu scaling scene.glb --vary memory.l2.size=64KiB,256KiB,1MiB", "any other parameter"},
+                {"artu scaling scene.glb --vary core.contexts=8,16,32,64 --fidelity analytic", "estimates, fast"}});
 }
 
 }  // namespace artu::sim

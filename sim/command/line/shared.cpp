@@ -1,8 +1,22 @@
 #include "sim/command/line/shared.h"
 
+#include <algorithm>
+
 #include "sim/jobs/processes.h"
 
 namespace artu::sim {
+
+std::string format_examples(const std::vector<Example>& examples) {
+  std::size_t width = 0;
+  for (const Example& example : examples) width = std::max(width, std::string(example.words).size());
+  std::string out = "Examples:";
+  for (const Example& example : examples) out += fmt::format("\n  {:<{}}  {}", example.words, width, example.what);
+  return out;
+}
+
+void add_examples(CLI::App& command, const std::vector<Example>& examples) {
+  command.footer(format_examples(examples));
+}
 
 void add_source(CLI::App& command, SourceOptions& source, const char* size, bool scene_only, bool required) {
   const char* what = scene_only ? "A scene: .glb, .gltf, .obj or .stage.toml"

@@ -30,6 +30,18 @@ CLI::App& add_command(CommandLine& line, const char* name, const char* what, std
   return command;
 }
 
+/// A command line to copy, and what it does.
+struct Example {
+  const char* words;
+  const char* what;
+};
+
+/// "Examples:" and a line each.
+std::string format_examples(const std::vector<Example>& examples);
+
+/// The end of a command's help; every command has one.
+void add_examples(CLI::App& command, const std::vector<Example>& examples);
+
 /// Scene or trace, frames, size and frames per second.
 void add_source(CLI::App& command, SourceOptions& source, const char* size, bool scene_only, bool required);
 

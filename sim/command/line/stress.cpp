@@ -38,11 +38,12 @@ void declare(CLI::App& command, StressCommandOptions& stress) {
 
 void add_stress(CommandLine& line) {
   const auto options = std::make_shared<StressCommandOptions>();
-  declare(add_command(line, "stress",
-                      "Trace rays that are hard to get right with every kind of tree, brute force and the "
-                      "golden model; exit code 1 where any two answers differ, or a closed mesh leaks",
-                      options, stress_command),
-          *options);
+  CLI::App& command = add_command(line, "stress", "Rays that are hard to get right, against every kind of tree",
+                                  options, stress_command);
+  declare(command, *options);
+  add_examples(command, {{"artu stress", "exit code 1 where two answers differ, or a closed mesh leaks"},
+                         {"artu stress --leaks --rays 5000000 --seed 7", "closed meshes alone, more rays"},
+                         {"artu stress --list", "the cases"}});
 }
 
 }  // namespace artu::sim
