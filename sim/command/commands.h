@@ -26,6 +26,7 @@ int quality_command(const QualityOptions& options);
 int precision_command(const PrecisionOptions& options);
 int bench_command(const BenchOptions& options);
 int sampling_command(const SamplingOptions& options);
+int report_command(const ReportOptions& options);
 int diff_command(const std::string& a, const std::string& b);
 int stress_command(const StressCommandOptions& options);
 

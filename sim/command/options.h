@@ -96,6 +96,13 @@ struct BenchOptions {
   std::vector<std::string> command;  // the words of the command line
 };
 
+struct ReportOptions {
+  std::vector<std::string> folders;
+  std::string output;                    // "" = report.html in the first folder
+  std::uint32_t picture_megabytes = 64;  // of PNG files
+  bool force = false, quiet = false;
+};
+
 struct ImportOptionsOfCommand {
   SourceOptions source;
   std::string output;

@@ -48,7 +48,7 @@ TEST_F(UsageTest, EveryOptionIsDocumented) {
   const std::string usage((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   const std::regex option("--[a-z][a-z-]+");
   for (const char* command :
-       {"run", "check", "import", "precision", "scaling", "quality", "sampling", "bench", "diff"}) {
+       {"run", "check", "import", "precision", "scaling", "quality", "sampling", "bench", "diff", "report"}) {
     const std::string help = fine({command, "--help"}).out;
     for (std::sregex_iterator found(help.begin(), help.end(), option), end; found != end; ++found) {
       EXPECT_THAT(usage, HasSubstr(found->str())) << "docs/usage.md lacks an option of artu " << command;

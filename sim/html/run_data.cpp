@@ -1,0 +1,196 @@
+#include "sim/html/run_data.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "sim/config/configuration.h"
+#include "sim/config/json.h"
+#include "sim/config/parameter_list.h"
+#include "sim/html/json_file.h"
+#include "sim/html/page.h"
+#include "sim/report/file.h"
+#include "sim/report/picture_set.h"
+#include "sim/report/stats_json.h"
+#include "traces/error.h"
+
+namespace artu::sim {
+namespace fs = std::filesystem;
+namespace {
+
+using Kind = Shape::Kind;
+
+OrderedJson read_manifest(const std::string& file) {
+  OrderedJson manifest = read_json(file);
+  const Shape shape(file);
+  if (shape.need(manifest, {"program"}, Kind::string) != "artu") shape.fail("is of another program", "artu's");
+  shape.need(manifest, {"version"}, Kind::string);
+  for (const OrderedJson& word : shape.need(manifest, {"command"}, Kind::array)) {
+    if (!word.is_string()) shape.fail("command holds what is no text", "the file as artu wrote it");
+  }
+  for (const char* key : {"file", "sha256", "kind"}) shape.need(manifest, {"input", key}, Kind::string);
+  for (const char* key : {"first", "last"}) shape.need(manifest, {"frames", key}, Kind::number);
+  for (const char* key : {"width", "height"}) shape.need(manifest, {"size", key}, Kind::number);
+  shape.need(manifest, {"fidelity"}, Kind::string);
+  return manifest;
+}
+
+/// What frames and totals both have.
+void check_counts(const Shape& shape, const OrderedJson& json) {
+  for (const char* key : {"rays", "pixels", "candidates", "triangles"}) shape.need(json, {key}, Kind::numbers);
+  const OrderedJson& blocks = shape.need(json, {"blocks"}, Kind::object);
+  for (const auto& [block, counters] : blocks.items()) shape.need(blocks, {block}, Kind::numbers);
+}
+
+OrderedJson read_stats(const std::string& file) {
+  OrderedJson stats = read_json(file);
+  const Shape shape(file);
+  if (shape.need(stats, {"schema"}, Kind::number) != StatsJson::schema) {
+    shape.fail(fmt::format("has schema {}", stats["schema"].dump()), fmt::format("schema {}", StatsJson::schema));
+  }
+  for (const OrderedJson& frame : shape.need(stats, {"frames"}, Kind::array)) {
+    shape.need(frame, {"index"}, Kind::number);
+    for (const OrderedJson& violation : shape.need(frame, {"violations"}, Kind::array)) {
+      if (!violation.is_string()) shape.fail("violations holds what is no text", "the file as artu wrote it");
+    }
+    check_counts(shape, frame);
+  }
+  shape.need(stats, {"fidelity", "mode"}, Kind::string);
+  shape.need(stats, {"totals", "frames"}, Kind::number);
+  check_counts(shape, stats["totals"]);
+  shape.need(stats, {"derived"}, Kind::object);
+  for (const char* part : {"energy", "demand"}) {
+    if (stats.contains(part) && !stats[part].is_null()) shape.need(stats, {part}, Kind::object);
+  }
+  return stats;
+}
+
+/// stats.txt has a unit and a text for every number: "name value unit # text".
+OrderedJson read_meanings(const std::string& file) {
+  OrderedJson meanings = OrderedJson::object();
+  std::istringstream lines(read_file(file));
+  bool numbers = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("# All numbers", 0) == 0) numbers = true;
+    const std::size_t mark = line.find(" # ");
+    if (!numbers || mark == std::string::npos || line[0] == '#') continue;
+    std::istringstream words(line.substr(0, mark));
+    std::string name, value, unit, more;
+    words >> name >> value >> unit;
+    while (words >> more) unit += " " + more;
+    meanings[name] = {unit, line.substr(mark + 3)};
+  }
+  return meanings;
+}
+
+void flatten(const OrderedJson& json, const std::string& path, std::map<std::string, OrderedJson>& values) {
+  if (json.is_object()) {
+    for (const auto& [key, value] : json.items()) flatten(value, path.empty() ? key : path + "." + key, values);
+  } else {
+    values[path] = json;
+  }
+}
+
+std::map<std::string, OrderedJson> values_of(const hw::UnitConfig& unit) {
+  std::map<std::string, OrderedJson> values;
+  flatten(json_of(unit), "", values);
+  return values;
+}
+
+/// Every parameter: [path, value, default, unit, range, text].
+OrderedJson read_parameters(const std::string& file) {
+  const auto values = values_of(Configuration::of({file}, {}).unit()), defaults = values_of({});
+  OrderedJson list = OrderedJson::array();
+  for (const ParameterInfo& p : parameter_list()) {
+    list.push_back({p.path, values.at(p.path), defaults.at(p.path), p.unit, p.range, p.text});
+  }
+  return list;
+}
+
+struct PictureFile {
+  std::size_t kind;
+  std::uint32_t frame;
+  fs::path file;
+  std::uint64_t bytes;
+};
+
+/// "frame_0000.png" ...; strips and animations show again what the others show.
+std::vector<PictureFile> picture_files(const std::string& folder) {
+  std::vector<PictureFile> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    for (std::size_t kind = 0; kind < picture_count; ++kind) {
+      if (kind == static_cast<std::size_t>(Picture::strip)) continue;
+      const std::string begin = std::string(picture_names[kind]) + "_";
+      if (name.rfind(begin, 0) != 0 || name.size() < begin.size() + 8 || entry.path().extension() != ".png") continue;
+      const std::string digits = name.substr(begin.size(), name.size() - begin.size() - 4);
+      if (digits.size() > 9 ||
+          !std::all_of(digits.begin(), digits.end(), [](unsigned char c) { return std::isdigit(c); }))
+        continue;
+      files.push_back({kind, static_cast<std::uint32_t>(std::stoul(digits)), entry.path(), entry.file_size()});
+    }
+  }
+  std::sort(files.begin(), files.end(), [](const PictureFile& a, const PictureFile& b) {
+    return std::tie(a.kind, a.frame) < std::tie(b.kind, b.frame);
+  });
+  return files;
+}
+
+}  // namespace
+
+bool is_run_folder(const std::string& folder) {
+  std::error_code ignored;
+  return fs::exists(fs::path(folder) / "manifest.json", ignored) &&
+         fs::exists(fs::path(folder) / "stats.json", ignored);
+}
+
+nlohmann::ordered_json run_data(const std::string& folder) {
+  if (!is_run_folder(folder)) {
+    throw InputError(folder,
+                     "is no folder of a run (it lacks manifest.json or stats.json); one that artu run made "
+                     "would be right");
+  }
+  const auto file = [&folder](const char* name) { return (fs::path(folder) / name).string(); };
+  fs::path name = fs::path(folder).lexically_normal();
+  if (!name.has_filename()) name = name.parent_path();
+  OrderedJson run = {{"name", name.filename().string()},
+                     {"folder", folder},
+                     {"manifest", read_manifest(file("manifest.json"))},
+                     {"stats", read_stats(file("stats.json"))},
+                     {"meanings", read_meanings(file("stats.txt"))},
+                     {"parameters", read_parameters(file("config.toml"))},
+                     {"pictures", OrderedJson::array()}};
+  return run;
+}
+
+std::size_t add_pictures(nlohmann::ordered_json& run, const std::string& folder, std::uint64_t bytes) {
+  const std::vector<PictureFile> files = picture_files(folder);
+  std::set<std::uint32_t> frames;
+  std::uint64_t all = 0;
+  for (const PictureFile& file : files) {
+    frames.insert(file.frame);
+    all += file.bytes;
+  }
+  const std::uint64_t stride = bytes == 0 ? frames.size() + 1 : std::max<std::uint64_t>(1, (all + bytes - 1) / bytes);
+  std::set<std::uint32_t> kept;
+  std::size_t number = 0;
+  for (const std::uint32_t frame : frames) {
+    if (bytes != 0 && number++ % stride == 0) kept.insert(frame);
+  }
+  for (const PictureFile& file : files) {
+    if (kept.count(file.frame) == 0) continue;
+    run["pictures"].push_back(
+        {{"kind", picture_names[file.kind]}, {"frame", file.frame}, {"png", base64(read_file(file.file.string()))}});
+  }
+  run["frames_left_out"] = frames.size() - kept.size();
+  return frames.size() - kept.size();
+}
+
+}  // namespace artu::sim

@@ -1,0 +1,126 @@
+"""report_browser.py KIND FILE.html: opens a report in a headless Chromium and uses it; exit code 1 says what is wrong.
+
+KIND is what the page must be: run, comparison, table or sweep.
+"""
+
+import sys
+
+from browser import Browser
+
+wrong = []
+
+
+def expect(true, what):
+    if not true:
+        wrong.append(what)
+        print("wrong:", what)
+
+
+DRAWN = """[...document.querySelectorAll('.chart')].map((chart) => {
+  const box = chart.getBoundingClientRect();
+  const marks = [...chart.querySelectorAll('svg rect, svg path, svg circle, canvas')].filter((m) => { const b = m.getBoundingClientRect(); return b.width > 0 && b.height > 0; });
+  return {label: chart.getAttribute('aria-label'), width: box.width, height: box.height, marks: marks.length};
+})"""
+# Elements that can be worked but have no name that could be read out.
+NAMELESS = """[...document.querySelectorAll('button, input, select, [tabindex="0"], svg [role]')].filter((e) =>
+  !(e.textContent.trim() || e.getAttribute('aria-label') || e.labels?.length)).map((e) => e.outerHTML.slice(0, 80))"""
+WIDE = "[...document.querySelectorAll('body *')].filter((e) => e.getBoundingClientRect().right > innerWidth + 1 && !e.closest('.scroll, .stage, nav')).map((e) => e.tagName + '.' + e.className).slice(0, 5)"
+# The least contrast of a text with what is behind it (WCAG 2.1, 1.4.3: 4.5).
+CONTRAST = """(() => {
+  const parse = (c) => c.match(/[\\d.]+/g).map(Number);
+  const light = (c) => { const [r, g, b] = c.slice(0, 3).map((v) => { v /= 255; return v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4; }); return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
+  let worst = [99, ''];
+  for (const e of document.querySelectorAll('h1, h2, h3, p, td, th, a, button, select, .soft, .tile span, li')) {
+    if (!e.textContent.trim() || !e.getBoundingClientRect().width) continue;
+    let behind = e, c = null;
+    while (behind) { c = parse(getComputedStyle(behind).backgroundColor); if (c.length < 4 || c[3] > 0) break; behind = behind.parentElement; }
+    if (!behind) continue;
+    const a = light(parse(getComputedStyle(e).color)), b = light(c), ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    if (ratio < worst[0]) worst = [ratio, e.tagName + '.' + e.className + ' ' + e.textContent.slice(0, 30)];
+  }
+  return worst;
+})()"""
+
+
+def well_made(browser, file):
+    """Any page, at both widths, dark and light."""
+    for width in (1280, 360):
+        for dark in (False, True):
+            where = f"{width} px, {'dark' if dark else 'light'}: "
+            browser.open(file, width=width, dark=dark)
+            charts = browser.evaluate(DRAWN)
+            expect(charts, where + "there are charts")
+            for chart in charts:
+                expect(chart["width"] > 100 and chart["height"] > 10 and chart["marks"] > 0, f"{where}chart drawn: {chart}")
+            expect(browser.evaluate("document.documentElement.scrollWidth <= innerWidth"), where + "no sideways scrolling")
+            expect(browser.evaluate(WIDE) == [], f"{where}nothing sticks out: {browser.evaluate(WIDE)}")
+            expect(browser.evaluate(NAMELESS) == [], f"{where}all controls have names: {browser.evaluate(NAMELESS)}")
+            contrast = browser.evaluate(CONTRAST)
+            expect(contrast[0] >= 4.5, f"{where}contrast {contrast}")
+            expect(browser.evaluate("getComputedStyle(document.body).backgroundColor") == ("rgb(14, 17, 22)" if dark else "rgb(246, 247, 249)"), where + "colours as the system says")
+            expect(browser.evaluate("document.querySelectorAll('h1').length") == 1, where + "one h1")
+            requests = browser.requests()
+            expect(len(requests) == 1, f"{where}nothing but the page is asked for: {requests}")
+            expect(browser.complaints() == [], f"{where}no errors: {browser.complaints()}")
+    browser.click("#theme")
+    expect(browser.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(246, 247, 249)", "the toggle makes it light")
+    expect(browser.evaluate("window.hostile") is None, "no name became a script")
+
+
+def filters(browser, table, text, left):
+    """The table's filter leaves the rows that `left` (JavaScript, of a row's text) says."""
+    browser.evaluate(f"document.querySelector('{table} input[type=search]').focus()")
+    browser.type(text)
+    rows = browser.evaluate(f"[...document.querySelectorAll('{table} tbody tr')].map((row) => row.textContent)")
+    expect(rows, f"{table}: rows are left of \"{text}\"")
+    expect(browser.evaluate(f"[...document.querySelectorAll('{table} tbody tr')].every((row) => ({left})(row))"), f"{table}: \"{text}\" leaves only {left}: {rows[:3]}")
+
+
+def sorts(browser, table, column):
+    """A click on the column's head sorts, a second one the other way round."""
+    values = f"[...document.querySelectorAll('{table} tbody tr')].map((row) => parseFloat(row.children[{column}].textContent.replace(/,/g, '')))"
+    orders = []
+    for _ in range(2):
+        browser.click(f"{table} thead th:nth-child({column + 1}) button")
+        have = [v for v in browser.evaluate(values) if v is not None]
+        orders.append("up" if have == sorted(have) else "down" if have == sorted(have, reverse=True) else "none")
+    expect(sorted(orders) == ["down", "up"], f"{table}: column {column} sorts both ways: {orders}")
+
+
+def run(browser, file):
+    browser.open(file)
+    shown = "document.getElementById('picture-caption').textContent"
+    picture = "document.querySelector('.stage img').src"
+    first = browser.evaluate(picture)
+    expect(browser.evaluate("document.querySelector('.stage img').naturalWidth > 0"), "the picture is decoded")
+    # The slider by the keyboard, then the picture's own keys.
+    browser.evaluate("document.getElementById('frame').focus()")
+    browser.key("ArrowRight")
+    expect(browser.evaluate(shown).startswith("frame 1:"), "the slider goes to the next frame: " + browser.evaluate(shown))
+    if browser.evaluate("JSON.parse(document.getElementById('data').textContent).runs[0].stats.totals.triangles.dynamic") > 0:
+        expect(browser.evaluate(picture) != first, "and shows another picture")
+    browser.evaluate("document.querySelector('.stage').focus()")
+    browser.key("ArrowLeft")
+    expect(browser.evaluate(shown).startswith("frame 0:"), "left: the frame before")
+    browser.key("ArrowDown")
+    expect("full render" in browser.evaluate(shown), "down: the next kind of picture: " + browser.evaluate(shown))
+    before = browser.evaluate("document.querySelector('.stage img').getBoundingClientRect().width")
+    browser.evaluate("(() => { const s = [...document.querySelectorAll('#viewer select')].find((s) => s.textContent.includes('to fit')); s.value = '16'; s.dispatchEvent(new Event('change')); })()")
+    after = browser.evaluate("[document.querySelector('.stage img').getBoundingClientRect().width, document.querySelector('.stage img').naturalWidth, getComputedStyle(document.querySelector('.stage img')).imageRendering]")
+    expect(after[0] == 16 * after[1] and after[2] == "pixelated" and after[0] != before, f"zoom: {before} to {after}")
+    # Another picture beside it.
+    browser.evaluate("(() => { const s = [...document.querySelectorAll('#viewer select')].find((s) => s.textContent.includes('nothing')); s.value = '0'; s.dispatchEvent(new Event('change')); })()")
+    expect(browser.evaluate("getComputedStyle(document.querySelector('.stage img.over')).clipPath").startswith("inset("), "the wipe cuts the upper picture")
+    expect(len(browser.evaluate("[...document.querySelectorAll('#cycles .chart')].map((c) => c.querySelectorAll('svg').length)")) >= 2, "phases and blocks are drawn")
+    filters(browser, "#numbers", "l2_bank0 hits", "(row) => row.textContent.includes('l2_bank0') && row.textContent.includes('hits')")
+    browser.open(file)
+    filters(browser, "#numbers", "value>1000", "(row) => parseFloat(row.children[1].textContent.replace(/,/g, '')) > 1000")
+    sorts(browser, "#numbers", 1)
+    expect(browser.complaints() == [], f"no errors after all that: {browser.complaints()}")
+
+
+with Browser() as browser:
+    kind, file = sys.argv[1:]
+    well_made(browser, file)
+    {"run": run}[kind](browser, file)
+sys.exit(1 if wrong else 0)
