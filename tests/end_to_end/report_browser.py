@@ -119,8 +119,42 @@ def run(browser, file):
     expect(browser.complaints() == [], f"no errors after all that: {browser.complaints()}")
 
 
+def comparison(browser, file):
+    browser.open(file)
+    ratios = "[...document.querySelectorAll('#figures tbody tr')].map((row) => row.children[3].textContent)"
+    rows = browser.evaluate(ratios)
+    expect(rows and "1" not in rows, f"figures that are equal are hidden: {rows[:5]}")
+    sizes = browser.evaluate("[...document.querySelectorAll('#figures tbody tr')].map((row) => { const [a, b] = [1, 2].map((i) => parseFloat(row.children[i].textContent.replace(/,/g, ''))); return a > 0 && b > 0 ? Math.abs(Math.log(b / a)) : 99; })")
+    expect(all(a >= b - 0.01 for a, b in zip(sizes, sizes[1:])), f"the largest changes come first: {sizes[:8]}")
+    left = "document.querySelector('#figures [role=status]').textContent"
+    before = browser.evaluate(left)
+    browser.click("#equal")
+    expect(" of " in before and " of " not in browser.evaluate(left), f"the box shows equal ones, too: {before}, then {browser.evaluate(left)}")
+    expect("core.count" in browser.evaluate("document.querySelector('#config').textContent"), "the configuration's difference is named")
+    expect(browser.evaluate("document.querySelectorAll('#config tbody tr').length") == 1, "and no other")
+    expect(browser.evaluate("document.getElementById('picture-caption').textContent.includes('|')"), "both pictures are shown")
+    clip = "getComputedStyle(document.querySelector('.stage img.over')).clipPath"
+    before = browser.evaluate(clip)
+    browser.evaluate("document.getElementById('wipe').focus()")
+    browser.key("ArrowRight")
+    expect(browser.evaluate(clip) != before, "the wipe moves")
+    browser.click("#turns")
+    seen = browser.evaluate("new Promise((done) => { const seen = new Set(); const timer = setInterval(() => { seen.add(document.querySelector('.stage img.over').classList.contains('hidden')); }, 50); setTimeout(() => { clearInterval(timer); done(seen.size); }, 2000); })")
+    expect(seen == 2, "in turns: one picture after the other")
+    filters(browser, "#figures", "traversal", "(row) => row.textContent.includes('traversal')")
+    expect(browser.complaints() == [], f"no errors after all that: {browser.complaints()}")
+
+
+def table(browser, file):
+    browser.open(file)
+    heads = browser.evaluate("[...document.querySelectorAll('#main-figures thead th')].map((th) => th.textContent)")
+    expect(len(heads) == 4 + 4, f"a column a run: {heads}")
+    sorts(browser, "#main-figures", 1)
+    expect(browser.complaints() == [], f"no errors after all that: {browser.complaints()}")
+
+
 with Browser() as browser:
     kind, file = sys.argv[1:]
     well_made(browser, file)
-    {"run": run}[kind](browser, file)
+    {"run": run, "comparison": comparison, "table": table}[kind](browser, file)
 sys.exit(1 if wrong else 0)

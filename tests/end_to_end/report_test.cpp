@@ -50,6 +50,18 @@ TEST_F(ReportTest, ARunsPageWorksInABrowser) {
   open("run", "out/report.html");
 }
 
+TEST_F(ReportTest, RunsAreComparedInABrowser) {
+  if (const std::string why = no_browser(); !why.empty()) GTEST_SKIP() << why;
+  write_moving_scene();
+  for (const char* cores : {"1", "2", "3", "4"}) {
+    run("moving.stage.toml", std::string("cores-") + cores, {"--set", std::string("core.count=") + cores});
+  }
+  fine({"report", "cores-1", "cores-2", "-o", "two.html"});
+  open("comparison", "two.html");
+  fine({"report", "cores-1", "cores-2", "cores-3", "cores-4", "-o", "four.html"});
+  open("table", "four.html");
+}
+
 TEST_F(ReportTest, NamesCannotBecomeMarkup) {
   // With the folder before it the name ends a script: "a</script>".
   const std::string name =

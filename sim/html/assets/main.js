@@ -1,7 +1,7 @@
 // Puts the page together.
 function build() {
   const data = JSON.parse(document.getElementById("data").textContent);
-  const page = runPage(data.runs[0]);
+  const page = data.kind === "run" ? runPage(data.runs[0]) : comparisonPage(data);
   const sections = page.sections.filter(Boolean);
   const links = sections.map((part) => h("li", {}, h("a", { href: "#" + part.id }, part.firstChild.textContent)));
   clear(document.getElementById("page")).append(

@@ -132,7 +132,7 @@ function configSection(run) {
   };
   all.addEventListener("change", restrict);
   restrict();
-  return section("config", "Configuration", h("p", {}, count === 0 ? "Every parameter has its default." : `${count} of ${rows.length} parameters differ from the defaults.`), h("div", { class: "bar" }, h("label", {}, all, h("span", {}, "all parameters"))), table.element);
+  return section("config", "Configuration", h("p", {}, count === 0 ? "Every parameter has its default." : `${count} of ${rows.length} parameters ${count === 1 ? "differs" : "differ"} from the defaults.`), h("div", { class: "bar" }, h("label", {}, all, h("span", {}, "all parameters"))), table.element);
 }
 
 /** Every number of a frame's or the totals' object by its name in stats.txt. */
@@ -144,10 +144,11 @@ function flatNumbers(object, path = "", out = {}) {
   }
   return out;
 }
-function runNumbers(run) {
-  const { totals, derived, energy } = run.stats;
-  return { ...flatNumbers(totals), ...flatNumbers({ derived }), ...(energy ? flatNumbers({ energy }) : {}) };
+function derivedNumbers(run) {
+  const { derived, energy } = run.stats;
+  return { ...flatNumbers({ derived }), ...(energy ? flatNumbers({ energy }) : {}) };
 }
+const runNumbers = (run) => ({ ...flatNumbers(run.stats.totals), ...derivedNumbers(run) });
 function numbersSection(run) {
   const rows = Object.entries(runNumbers(run)).map(([name, value]) => ({ name, value, unit: meaning(run, name)[0], text: meaning(run, name)[1] }));
   return section("numbers", "All numbers", h("p", { class: "soft" }, "Summed over the frames. Filter by words, or by ", command("value>1000"), "."),
