@@ -20,11 +20,13 @@ constexpr const char* explore = "Explore a design";
 constexpr const char* check = "Check the model";
 constexpr const char* input = "Prepare input";
 
+// clang-format off: a line each
 constexpr Command commands[] = {
-    {simulate, add_run},      {look, add_report_page}, {explore, add_scaling}, {explore, add_quality},
-    {explore, add_precision}, {check, add_check},      {check, add_diff},      {check, add_stress},
-    {check, add_sampling},    {check, add_bench},      {input, add_import},
+    {simulate, add_run},    {look, add_report_page},  {look, add_explain}, {explore, add_scaling},
+    {explore, add_quality}, {explore, add_precision}, {check, add_check},  {check, add_diff},
+    {check, add_stress},    {check, add_sampling},    {check, add_bench},  {input, add_import},
 };
+// clang-format on
 
 /// One or two of a group; each command has its own.
 const std::vector<Example> examples{
@@ -32,6 +34,7 @@ const std::vector<Example> examples{
     {"artu run scene.glb -c phone.toml --set core.count=4", "another unit"},
     {"artu run --list-params", "what can be configured"},
     {"artu report runs/default-1", "a page of it, to open in a browser"},
+    {"artu explain runs/default-1", "what binds it, and which parameter to turn next"},
     {"artu scaling scene.glb --vary core.count=1,2,4,8", "what more cores gain, and what limits them"},
     {"artu check scene.glb --frames 12", "frame 12 against the golden model"},
     {"artu import scene.glb --frames all -o scene.artu", "all frames as a trace, to run without the scene"},

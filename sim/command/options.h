@@ -58,6 +58,13 @@ struct ScalingOptions {
   std::vector<std::string> command;  // the words of the command line
 };
 
+struct ExplainOptions {
+  SourceOptions source;  // `path` may be a run's folder
+  std::vector<std::string> config_files, assignments;
+  std::uint32_t jobs = 1;  // processes
+  bool verify = false, json = false, quiet = false;
+};
+
 struct SamplingOptions {
   SourceOptions source;
   std::vector<std::string> config_files, assignments;

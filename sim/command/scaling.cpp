@@ -1,16 +1,12 @@
 #include <fmt/format.h>
 
-#include <memory>
-#include <stdexcept>
-
 #include "sim/command/commands.h"
 #include "sim/command/frame_source.h"
 #include "sim/command/progress.h"
 #include "sim/command/run_report.h"
+#include "sim/command/unit_totals.h"
 #include "sim/config/configuration.h"
 #include "sim/config/dump.h"
-#include "sim/jobs/processes.h"
-#include "sim/jobs/results.h"
 #include "sim/report/file.h"
 #include "sim/report/gnuplot.h"
 #include "sim/report/run_folder.h"
@@ -28,39 +24,6 @@ std::vector<hw::UnitConfig> units_of(const ScalingOptions& options, const Variat
     units.push_back(Configuration::of(options.config_files, assignments).unit());
   }
   return units;
-}
-
-/// Sums over the frames, by unit.
-std::vector<Totals> simulate(const FrameSource& source, const std::vector<hw::UnitConfig>& units, Fidelity fidelity,
-                             std::uint32_t jobs, Progress& progress) {
-  StaticTrees trees(source.scene());
-  for (const hw::UnitConfig& unit : units) trees.of(unit.accel);
-  SimulationOptions options;
-  options.fidelity = fidelity;
-  options.static_trees = &trees;
-  const std::uint32_t frames = source.range().count();
-  std::size_t present = units.size();  // the simulator's; the frames of a unit come one after the other
-  std::unique_ptr<FrameSimulator> simulator;
-  const auto work = [&](std::uint64_t task) {
-    if (present != task / frames) {
-      present = task / frames;
-      simulator.reset();
-      simulator = make_simulator(source.scene(), units[present], options,
-                                 [&source](std::uint32_t index) { return source.first_from(index); });
-    }
-    const std::uint32_t index = source.range().first + static_cast<std::uint32_t>(task % frames);
-    const FrameOutcome outcome = simulator->run(source.frame(index));
-    if (!outcome.violations.empty()) {
-      throw std::logic_error(fmt::format("frame {}: accounting law violated: {}", index, outcome.violations[0]));
-    }
-    return totals_of(outcome);
-  };
-  std::vector<Totals> sums(units.size());
-  in_order<Totals>(std::uint64_t{frames} * units.size(), jobs, work, [&](std::uint64_t task, const Totals& totals) {
-    add(sums[task / frames], totals);
-    progress.one_done();
-  });
-  return sums;
 }
 
 }  // namespace
@@ -83,7 +46,7 @@ int scaling_command(const ScalingOptions& options) {
   std::vector<ScalingRow> rows;
   {
     Progress progress(std::uint64_t{frames} * units.size(), "frames", options.quiet);
-    const std::vector<Totals> sums = simulate(source, units, options.fidelity, options.jobs, progress);
+    const std::vector<Totals> sums = totals_by_unit(source, units, options.fidelity, options.jobs, progress);
     for (std::size_t i = 0; i < units.size(); ++i) {
       rows.push_back(scaling_row(variation.values[i], sums[i], units[i], sums[0].cycles));
     }

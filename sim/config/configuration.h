@@ -12,6 +12,9 @@ namespace artu::sim {
 /// Every error is an InputError whose place is FILE:LINE or `--set`.  A failed call changes nothing.
 class Configuration {
  public:
+  Configuration() = default;
+  /// From another's parameters on.
+  explicit Configuration(const hw::UnitConfig& unit) : unit_(unit) {}
   /// Files, then assignments, then the check.
   static Configuration of(const std::vector<std::string>& files, const std::vector<std::string>& assignments);
 

@@ -12,9 +12,9 @@ Counters::Counters(const hw::Statistics& statistics) {
 
 std::uint64_t Counters::of(const std::string& block, const std::string& name) const {
   const auto counters = sums_.find(block);
-  if (counters == sums_.end()) throw std::logic_error("energy: no block " + block);
+  if (counters == sums_.end()) throw std::logic_error("counters: no block " + block);
   const auto counter = counters->second.find(name);
-  if (counter == counters->second.end()) throw std::logic_error("energy: " + block + " has no counter " + name);
+  if (counter == counters->second.end()) throw std::logic_error("counters: " + block + " has no counter " + name);
   return counter->second;
 }
 

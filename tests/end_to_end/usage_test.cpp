@@ -27,7 +27,7 @@ TEST_F(UsageTest, VersionAndHelpAreFine) {
 
 TEST_F(UsageTest, EveryCommandHasAGroupAndExamples) {
   const std::string help = fine({"--help"}).out;
-  for (const char* group : {"Simulate", "Explore a design", "Check the model", "Prepare input"}) {
+  for (const char* group : {"Simulate", "Look at a run", "Explore a design", "Check the model", "Prepare input"}) {
     EXPECT_THAT(help, HasSubstr("\n" + std::string(group) + ":\n"));
   }
   EXPECT_THAT(help, Not(HasSubstr("Subcommands:")));
@@ -48,7 +48,11 @@ TEST_F(UsageTest, EveryOptionIsDocumented) {
   const std::string usage((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   const std::regex option("--[a-z][a-z-]+");
   for (const char* command :
+<<<<<<< HEAD
        {"run", "check", "import", "precision", "scaling", "quality", "sampling", "bench", "diff", "report"}) {
+=======
+       {"run", "check", "import", "precision", "scaling", "quality", "sampling", "bench", "diff", "explain"}) {
+>>>>>>> 86bad65 (wip)
     const std::string help = fine({command, "--help"}).out;
     for (std::sregex_iterator found(help.begin(), help.end(), option), end; found != end; ++found) {
       EXPECT_THAT(usage, HasSubstr(found->str())) << "docs/usage.md lacks an option of artu " << command;

@@ -14,6 +14,7 @@ void add_scaling(CommandLine& line);
 void add_quality(CommandLine& line);
 void add_bench(CommandLine& line);
 void add_report_page(CommandLine& line);
+void add_explain(CommandLine& line);
 void add_diff(CommandLine& line);
 void add_stress(CommandLine& line);
 

@@ -24,6 +24,10 @@ void add_source(CLI::App& command, SourceOptions& source, const char* size, bool
   auto* path = command.add_option(scene_only ? "SCENE" : "SCENE|TRACE", source.path, what);
   path->option_text(" ");
   if (required) path->required();
+  add_frames(command, source, size);
+}
+
+void add_frames(CLI::App& command, SourceOptions& source, const char* size) {
   command
       .add_option("--frames", source.frames, "Frames A to B - 1, or only A, or all; default 0:1, of a trace its first")
       ->option_text("A:B")

@@ -45,6 +45,9 @@ void add_examples(CLI::App& command, const std::vector<Example>& examples);
 /// Scene or trace, frames, size and frames per second.
 void add_source(CLI::App& command, SourceOptions& source, const char* size, bool scene_only, bool required);
 
+/// The same without the scene or trace itself.
+void add_frames(CLI::App& command, SourceOptions& source, const char* size);
+
 void add_jobs(CLI::App& command, std::uint32_t& jobs);
 
 /// `given` is told of the option that was.
