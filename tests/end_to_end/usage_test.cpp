@@ -47,12 +47,8 @@ TEST_F(UsageTest, EveryOptionIsDocumented) {
   std::ifstream file(std::string(ARTU_SOURCE_DIR) + "/docs/usage.md");
   const std::string usage((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   const std::regex option("--[a-z][a-z-]+");
-  for (const char* command :
-<<<<<<< HEAD
-       {"run", "check", "import", "precision", "scaling", "quality", "sampling", "bench", "diff", "report"}) {
-=======
-       {"run", "check", "import", "precision", "scaling", "quality", "sampling", "bench", "diff", "explain"}) {
->>>>>>> 86bad65 (wip)
+  for (const char* command : {"run", "check", "import", "precision", "scaling", "quality", "sampling", "bench", "diff",
+                              "report", "explain"}) {
     const std::string help = fine({command, "--help"}).out;
     for (std::sregex_iterator found(help.begin(), help.end(), option), end; found != end; ++found) {
       EXPECT_THAT(usage, HasSubstr(found->str())) << "docs/usage.md lacks an option of artu " << command;
