@@ -61,6 +61,7 @@ void ControlUnit::enter(Phase phase, Cycle now) {
   phase_ = phase;
   phase_began_ = now;
   for (Block* block : listeners_) block->set_phase(phase);
+  if (phase_observer_) phase_observer_(phase, now);
 }
 
 std::uint64_t ControlUnit::pixels_of(std::uint32_t pass) const {

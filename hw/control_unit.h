@@ -11,6 +11,8 @@
 // `build`. Not started: building where there is no dynamic geometry or it has not moved; passes without pixels.
 #pragma once
 
+#include <functional>
+
 #include "hw/fabric/memory_port.h"
 #include "hw/frame_registers.h"
 #include "hw/memory/cache.h"
@@ -52,6 +54,8 @@ class ControlUnit : public Block {
 
   /// Where the next frame's descriptor lies; read at reset.
   void set_descriptor(Address descriptor) { descriptor_ = descriptor; }
+  /// Told when a phase begins.
+  void observe_phases(std::function<void(Phase, Cycle)> observer) { phase_observer_ = std::move(observer); }
   /// The cycle in which the frame was complete; `never` before.
   Cycle finished_at() const { return finished_at_; }
 
@@ -79,6 +83,7 @@ class ControlUnit : public Block {
   const MemoryImage& image_;
   Ports ports_{};
   std::vector<Block*> listeners_;
+  std::function<void(Phase, Cycle)> phase_observer_;
   Address descriptor_ = 0;
   Step step_ = Step::fetch;
   bool building_ = false;

@@ -92,6 +92,7 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
     domain->set_shuffle(mode.shuffle, mode.seed);
   }
   clock.set_watchdog(config.watchdog);
+  if (mode.timeline) make_sampler();
   each_block([this](Block& block) {
     for (const LogRule& rule : mode_.log) {
       if (fits(rule, block.path())) block.log_to(rule.level, mode_.log_sink);
@@ -100,6 +101,32 @@ RayTracingUnit::RayTracingUnit(sc_core::sc_module_name name, const UnitConfig& c
 }
 
 RayTracingUnit::~RayTracingUnit() = default;
+
+/// The last domain: of those that have an edge at the same time it is worked on last.
+void RayTracingUnit::make_sampler() {
+  std::vector<const Block*> blocks;
+  each_block([&](const Block& block) { blocks.push_back(&block); });
+  const auto rays = [this](auto&& of) {
+    return [this, of] {
+      std::uint64_t sum = 0;
+      for (const auto& core : cores) {
+        for (std::size_t kind = 0; kind < ray_kinds; ++kind) sum += of(*core, static_cast<RayKind>(kind));
+      }
+      return sum;
+    };
+  };
+  std::vector<Sampler::Count> counts{
+      {"read_bytes", [this] { return dram.read_bytes(); }},
+      {"write_bytes", [this] { return dram.write_bytes(); }},
+      {"rays_begun", rays([](const RayCore& core, RayKind kind) { return core.ray_generator.rays(kind); })},
+      {"rays_finished", rays([](const RayCore& core, RayKind kind) { return core.traversal.finished(kind); })}};
+  sampler_clock_ =
+      std::make_unique<ClockDomain>("sampler_clock", timeline_, unit_period_ * Sampler::first_interval, tick_seconds_);
+  sampler_ =
+      std::make_unique<Sampler>("sampler", *sampler_clock_, unit_period_, std::move(blocks),
+                                std::vector<const Channel*>(channels_.begin(), channels_.end()), std::move(counts));
+  control_unit.observe_phases([this](Phase phase, Cycle cycle) { sampler_->phase_begins(phase, cycle); });
+}
 
 /// One cache, or with several banks as many, and a crossbar between them and the DRAM.
 void RayTracingUnit::make_l2() {
@@ -295,6 +322,10 @@ FrameResult RayTracingUnit::end_frame() {
     return result;
   }
   result.cycles = control_unit.finished_at();
+  if (sampler_) {
+    sampler_->finish(result.cycles);
+    result.timeline = sampler_->timeline();
+  }
   clock.end_frame(result.cycles);
   dram_clock.end_frame(result.cycles * unit_period_ / dram_period_);
   result.statistics = statistics();
@@ -325,7 +356,7 @@ void RayTracingUnit::each_block(const std::function<void(Block&)>& visit) {
 
 std::vector<std::string> RayTracingUnit::block_paths() const {
   std::vector<std::string> paths;
-  for (const ClockDomain* domain : timeline_.domains) {
+  for (const ClockDomain* domain : {&clock, &dram_clock}) {
     for (const Block* block : domain->blocks()) paths.push_back(block->path());
   }
   return paths;

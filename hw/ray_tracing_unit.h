@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hw/control_unit.h"
+#include "hw/fabric/sampler.h"
 #include "hw/memory/dram.h"
 #include "hw/memory/interconnect.h"
 #include "hw/ray_core/dispatcher.h"
@@ -26,6 +27,7 @@ struct FrameResult {
   std::string picture;                  // dead-lock: who waits for whom
   std::vector<std::string> violations;  // of the accounting laws
   Statistics statistics;
+  FrameTimeline timeline;  // where the mode asks for it
 };
 
 class RayTracingUnit : public sc_core::sc_module {
@@ -59,6 +61,7 @@ class RayTracingUnit : public sc_core::sc_module {
   void bind_cores();
   void bind_control();
   void inject(const Fault& fault);
+  void make_sampler();
   void each_block(const std::function<void(Block&)>& visit);
   void check_laws(FrameResult& result, const PixelRecords* records) const;
   std::string picture_of_dead_lock() const;
@@ -109,6 +112,8 @@ class RayTracingUnit : public sc_core::sc_module {
   };
   std::vector<std::unique_ptr<Bank>> banks_;
   std::vector<Channel*> channels_;
+  std::unique_ptr<ClockDomain> sampler_clock_;
+  std::unique_ptr<Sampler> sampler_;
 };
 
 }  // namespace artu::hw

@@ -30,6 +30,7 @@ struct RunMode {
   bool shuffle = false;       // random order of blocks within a cycle
   bool random_stall = false;  // random latency on every channel
   std::uint64_t seed = 1;
+  bool timeline = false;     // look at the unit from time to time: hw/fabric/sampler.h
   std::vector<LogRule> log;  // the last rule that fits a block counts
   LogSink log_sink;          // needed where there is a rule
 };

@@ -52,9 +52,15 @@ class Block : public sc_core::sc_module {
   /// One line for the picture of a dead-lock.
   virtual std::string describe() const { return {}; }
 
-  ClockDomain& domain() { return domain_; }
+  ClockDomain& domain() const { return domain_; }
   Cycle now() const;
   std::uint64_t cycles_in(State state) const { return cycles_[static_cast<std::size_t>(state)]; }
+  /// Of the cycles of its clock before `cycle`, which has begun already.
+  std::uint64_t cycles_before(State state, Cycle cycle) const {
+    const std::uint64_t counted = cycles_in(state);
+    if (since_ > cycle) return state == last_ ? counted - 1 : counted;  // the present one is in them
+    return state == state_ ? counted + (cycle - since_) : counted;
+  }
   /// What it did last.
   State state() const { return state_; }
   /// Instance path below the unit, such as "core0.traversal".

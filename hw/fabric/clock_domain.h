@@ -48,6 +48,9 @@ class ClockDomain : public sc_core::sc_module {
   void finish();
   void stop();
 
+  /// No block of it is to be ticked.
+  bool asleep() const { return next_ == never; }
+
   std::uint64_t ticks_done() const { return ticks_done_; }
   const std::vector<Block*>& blocks() const { return blocks_; }
 

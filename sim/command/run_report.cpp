@@ -57,8 +57,13 @@ RunReport::RunReport(const RunOptions& options) : several_processes_(options.job
   if (options.pictures && !folder_) {
     throw InputError("--pictures", "there is no folder for them; -o DIR as well would be right");
   }
+  if (options.simulation.timeline && !folder_) {
+    throw InputError("--timeline", "there is no folder for it; -o DIR as well would be right");
+  }
   set_ = options.pictures.value_or(PictureSet{Picture::frame, Picture::decision, Picture::hit_class});
-  if (folder_) json_ = std::make_unique<StatsJson>(folder_->file("stats.json"));
+  if (!folder_) return;
+  json_ = std::make_unique<StatsJson>(folder_->file("stats.json"));
+  if (options.simulation.timeline) timeline_ = std::make_unique<TimelineJson>(folder_->file("timeline.json"));
 }
 
 void RunReport::begin_pictures(std::uint32_t frames, double fps) {
@@ -81,6 +86,7 @@ FrameReport RunReport::write(const FrameOutcome& outcome, const hw::UnitConfig& 
     });
   }
   if (folder_) frame.animation = pictures_->write(outcome, full);
+  if (timeline_) frame.timeline = timeline_of(outcome);
   return frame;
 }
 
@@ -89,6 +95,7 @@ void RunReport::add(const FrameReport& frame, const hw::UnitConfig& unit) {
   if (csv_) csv_->write(frame.pixel_csv);
   if (!folder_) return;
   pictures_->append(frame.animation);
+  if (timeline_) timeline_->add(frame.timeline);
   const auto energy = energy_if_known(frame.totals, unit);
   json_->add_frame(frame.index, frame.totals, frame.violations, energy ? &*energy : nullptr);
 }
@@ -97,6 +104,7 @@ void RunReport::finish(const Totals& sum, const hw::UnitConfig& unit, const Mani
                        const CheckResult* check) {
   if (folder_) {
     pictures_->finish();
+    if (timeline_) timeline_->finish();
     const auto known = energy_if_known(sum, unit);
     const Energy* energy = known ? &*known : nullptr;
     json_->finish(sum, unit.clock_mhz, check, energy, demands_if_known(sum, unit));

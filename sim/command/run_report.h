@@ -15,6 +15,7 @@
 #include "sim/report/picture_set.h"
 #include "sim/report/run_folder.h"
 #include "sim/report/stats_json.h"
+#include "sim/report/timeline_json.h"
 
 namespace artu::sim {
 
@@ -33,6 +34,7 @@ struct FrameReport {
   CheckResult check;      // where the golden model is asked
   std::string pixel_csv;  // rows; "" in the process that writes the file, which has done so already
   std::string animation;  // PictureWriter's part
+  std::string timeline;   // of timeline.json; "" where nobody asks
 };
 
 template <class A>
@@ -44,6 +46,7 @@ void transfer(A& archive, FrameReport& r) {
   pass(archive, r.check);
   pass(archive, r.pixel_csv);
   pass(archive, r.animation);
+  pass(archive, r.timeline);
 }
 
 class RunReport {
@@ -70,6 +73,7 @@ class RunReport {
   const bool several_processes_;
   std::unique_ptr<MemoryTrace> memory_trace_;
   std::unique_ptr<StatsJson> json_;
+  std::unique_ptr<TimelineJson> timeline_;
   PictureSet set_;
   std::optional<PictureWriter> pictures_;
 };

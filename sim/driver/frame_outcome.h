@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "hw/fabric/sampler.h"
 #include "hw/fabric/statistics.h"
 #include "hw/pixel_record.h"
 #include "sim/driver/fidelity.h"
 #include "sim/driver/tree_quality.h"
+#include "sim/driver/visit_histogram.h"
 #include "traces/frame.h"
 
 namespace artu::sim {
@@ -31,8 +33,10 @@ struct FrameOutcome {
   std::uint64_t node_visits = 0, triangle_tests = 0;
   std::uint64_t dram_read_bytes = 0, dram_write_bytes = 0;
   TreeQuality dynamic_tree;
-  hw::PixelRecords pixels;              // row by row
-  hw::Statistics statistics;            // all counters of all blocks, in a fixed order
+  hw::PixelRecords pixels;     // row by row
+  hw::Statistics statistics;   // all counters of all blocks, in a fixed order
+  hw::FrameTimeline timeline;  // where it was asked for, as are the visits
+  VisitHistogram visits;
   std::vector<Estimate> estimates;      // the intervals of those figures above that are estimates
   std::vector<std::string> violations;  // accounting laws that do not hold: must be empty
   double simulation_seconds = 0;        // the model alone; loading and tree builds are not in it

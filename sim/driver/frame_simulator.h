@@ -25,6 +25,7 @@ struct SimulationOptions {
   std::vector<hw::LogRule> log;         // which blocks write to the log
   hw::LogSink log_sink;                 // where to; needed where there is a rule
   hw::Fault fault;                      // a datapath's result is falsified, to show that a check sees it
+  bool timeline = false;                // what happens when is recorded, and how many nodes rays visit
   hw::MemoryObserver memory_observer;   // told of every request that reaches the DRAM
   StaticTrees* static_trees = nullptr;  // of the scene, where several simulators share them; must outlive them
 };

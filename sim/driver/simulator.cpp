@@ -30,6 +30,7 @@ hw::RunMode mode_of(const SimulationOptions& options) {
           options.shuffle_ticks,
           options.random_stall,
           options.seed,
+          options.timeline,
           options.log,
           options.log_sink};
 }
@@ -40,6 +41,7 @@ FrameOutcome outcome_of(const traces::Scene& scene, const traces::Frame& frame, 
   FrameOutcome outcome = outcome_of(scene, frame, std::move(result.statistics));
   outcome.cycles = result.cycles;
   outcome.violations = std::move(result.violations);
+  outcome.timeline = std::move(result.timeline);
   return outcome;
 }
 
@@ -48,6 +50,7 @@ struct Simulator::Impl {
       : scene(scene),
         config(config),
         fidelity(options.fidelity),
+        timeline(options.timeline),
         builder(scene, config, std::move(frames), image, options.static_trees),
         unit("unit", config, mode_of(options), image, options.fault) {
     dynamic_cast<hw::Dram&>(unit.dram).observe(options.memory_observer);
@@ -69,6 +72,7 @@ struct Simulator::Impl {
   const traces::Scene& scene;
   const hw::UnitConfig config;
   const Fidelity fidelity;
+  const bool timeline;
   hw::MemoryImage image;
   ImageBuilder builder;
   Context context;
@@ -98,6 +102,10 @@ FrameOutcome Simulator::run(const traces::Frame& frame) {
   outcome.fidelity = impl.fidelity;
   outcome.dynamic_tree = impl.builder.dynamic_quality();
   outcome.pixels = std::move(pixels);
+  if (impl.timeline) {
+    outcome.visits =
+        count_visits(impl.config, impl.image, descriptor, impl.builder.stack_needed(), outcome.pixels.size());
+  }
   outcome.simulation_seconds = std::chrono::duration<double>(after - before).count();
   return outcome;
 }

@@ -12,8 +12,8 @@ namespace artu::sim {
 namespace {
 
 /// In the order in which they need each other.
-constexpr const char* scripts[] = {"dom.js",    "theme.js",    "chart.js", "table.js",   "pictures.js",
-                                   "cycles.js", "timeline.js", "run.js",   "compare.js", "main.js"};
+constexpr const char* scripts[] = {"dom.js",      "theme.js", "chart.js",   "table.js", "pictures.js", "cycles.js",
+                                   "timeline.js", "run.js",   "compare.js", "sweep.js", "main.js"};
 
 std::string script() {
   std::string text = "\"use strict\";\n(() => {\n";

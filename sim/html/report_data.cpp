@@ -5,11 +5,19 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/html/run_data.h"
+#include "sim/html/sweep_data.h"
+#include "traces/error.h"
 
 namespace artu::sim {
 
 nlohmann::ordered_json report_data(const std::vector<std::string>& folders, std::uint64_t picture_bytes,
                                    std::vector<std::string>& notes) {
+  for (const std::string& folder : folders) {
+    if (!is_sweep_folder(folder)) continue;
+    if (folders.size() > 1)
+      throw InputError(folder, "is a sweep, which has a page of its own; it alone would be right");
+    return {{"version", ARTU_VERSION}, {"kind", "sweep"}, {"sweep", sweep_data(folder)}};
+  }
   nlohmann::ordered_json data = {{"version", ARTU_VERSION},
                                  {"kind", folders.size() == 1   ? "run"
                                           : folders.size() == 2 ? "comparison"
@@ -27,6 +35,7 @@ nlohmann::ordered_json report_data(const std::vector<std::string>& folders, std:
 }
 
 std::string report_title(const nlohmann::ordered_json& data) {
+  if (data["kind"] == "sweep") return fmt::format("{} - ARTU", data["sweep"]["name"].get<std::string>());
   const nlohmann::ordered_json& runs = data["runs"];
   if (runs.size() > 2) return fmt::format("{} runs - ARTU", runs.size());
   const auto name = [](const nlohmann::ordered_json& run) { return run["name"].get<std::string>(); };

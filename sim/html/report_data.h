@@ -8,7 +8,8 @@
 
 namespace artu::sim {
 
-/// Everything the page needs: {"version", "kind": "run", "comparison" of two or "table" of more, "runs": [...]}.
+/// Everything the page needs: {"version", "kind": "run", "comparison" of two or "table" of more, "runs": [...]},
+/// or of a sweep {"version", "kind": "sweep", "sweep"}.
 /// `picture_bytes`: of PNG files at most, shared out to the runs; a line of `notes` for each run of which
 /// that leaves frames out.
 nlohmann::ordered_json report_data(const std::vector<std::string>& folders, std::uint64_t picture_bytes,

@@ -19,6 +19,7 @@
 #include "sim/report/file.h"
 #include "sim/report/picture_set.h"
 #include "sim/report/stats_json.h"
+#include "sim/report/timeline_json.h"
 #include "traces/error.h"
 
 namespace artu::sim {
@@ -90,6 +91,49 @@ OrderedJson read_meanings(const std::string& file) {
   return meanings;
 }
 
+/// Null where the run has not recorded it.
+OrderedJson read_timeline(const std::string& file) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return {};
+  OrderedJson timeline = read_json(file);
+  const Shape shape(file);
+  if (shape.need(timeline, {"schema"}, Kind::number) != TimelineJson::schema) {
+    shape.fail(fmt::format("has schema {}", timeline["schema"].dump()), fmt::format("schema {}", TimelineJson::schema));
+  }
+  if (shape.need(timeline, {"frames"}, Kind::array).empty()) shape.fail("has no frames", "one frame or more");
+  for (const OrderedJson& frame : timeline["frames"]) {
+    for (const char* key : {"index", "cycles", "interval"}) shape.need(frame, {key}, Kind::number);
+    for (const char* key : {"at", "phases"}) shape.need(frame, {key}, Kind::array);
+    const std::size_t looks = frame["at"].size();
+    const auto looked = [&](const OrderedJson& json, const std::vector<std::string>& keys) {
+      if (shape.need(json, keys, Kind::array).size() != looks)
+        shape.fail(keys.back() + " has not one value a look", "one");
+    };
+    for (const OrderedJson& phase : frame["phases"]) {
+      shape.need(phase, {"phase"}, Kind::string);
+      for (const char* key : {"from", "to"}) shape.need(phase, {key}, Kind::number);
+      shape.need(phase, {"blocks"}, Kind::object);
+      for (const auto& [block, counters] : phase["blocks"].items()) shape.need(phase, {"blocks", block}, Kind::numbers);
+    }
+    for (const auto& [block, states] : shape.need(frame, {"blocks"}, Kind::object).items()) {
+      for (std::size_t s = 0; s < hw::state_count; ++s) {
+        looked(frame, {"blocks", block, hw::state_name(static_cast<hw::State>(s))});
+      }
+    }
+    if (shape.need(frame, {"channels"}, Kind::object).empty()) shape.fail("has no channels", "those of the unit");
+    for (const auto& [channel, of] : frame["channels"].items()) {
+      shape.need(frame, {"channels", channel, "capacity"}, Kind::number);
+      looked(frame, {"channels", channel, "level"});
+    }
+    for (const char* count : {"read_bytes", "write_bytes", "rays_begun", "rays_finished"})
+      looked(frame, {"counts", count});
+    for (const auto& [kind, visits] : shape.need(frame, {"visits"}, Kind::object).items()) {
+      shape.need(frame, {"visits", kind}, Kind::array);
+    }
+  }
+  return timeline;
+}
+
 void flatten(const OrderedJson& json, const std::string& path, std::map<std::string, OrderedJson>& values) {
   if (json.is_object()) {
     for (const auto& [key, value] : json.items()) flatten(value, path.empty() ? key : path + "." + key, values);
@@ -151,21 +195,27 @@ bool is_run_folder(const std::string& folder) {
          fs::exists(fs::path(folder) / "stats.json", ignored);
 }
 
-nlohmann::ordered_json run_data(const std::string& folder) {
-  if (!is_run_folder(folder)) {
-    throw InputError(folder,
-                     "is no folder of a run (it lacks manifest.json or stats.json); one that artu run made "
-                     "would be right");
-  }
-  const auto file = [&folder](const char* name) { return (fs::path(folder) / name).string(); };
+std::string folder_name(const std::string& folder) {
   fs::path name = fs::path(folder).lexically_normal();
   if (!name.has_filename()) name = name.parent_path();
-  OrderedJson run = {{"name", name.filename().string()},
+  return name.filename().string();
+}
+
+nlohmann::ordered_json run_data(const std::string& folder) {
+  if (!is_run_folder(folder)) {
+    throw InputError(
+        folder,
+        "is no folder of a run (it lacks manifest.json or stats.json); one that artu run or artu sweep made "
+        "would be right");
+  }
+  const auto file = [&folder](const char* name) { return (fs::path(folder) / name).string(); };
+  OrderedJson run = {{"name", folder_name(folder)},
                      {"folder", folder},
                      {"manifest", read_manifest(file("manifest.json"))},
                      {"stats", read_stats(file("stats.json"))},
                      {"meanings", read_meanings(file("stats.txt"))},
                      {"parameters", read_parameters(file("config.toml"))},
+                     {"timeline", read_timeline(file("timeline.json"))},
                      {"pictures", OrderedJson::array()}};
   return run;
 }

@@ -9,6 +9,9 @@ namespace artu::sim {
 /// Whether `artu run` or `artu check` made this folder.
 bool is_run_folder(const std::string& folder);
 
+/// "runs/a/" -> "a"
+std::string folder_name(const std::string& folder);
+
 /// manifest.json, stats.json, what each number means (stats.txt), the configuration beside the defaults, and without
 /// `pictures` nothing more.  Throws InputError where the folder is no run's or a file of it is broken.
 nlohmann::ordered_json run_data(const std::string& folder);

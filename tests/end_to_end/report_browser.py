@@ -87,6 +87,54 @@ def sorts(browser, table, column):
     expect(sorted(orders) == ["down", "up"], f"{table}: column {column} sorts both ways: {orders}")
 
 
+CHOOSE = """((label, value) => { const s = [...document.querySelectorAll('label')].find((l) => l.textContent.startsWith(label) && l.querySelector('select')).querySelector('select');
+  s.value = value; s.dispatchEvent(new Event('change')); return s.value; })"""
+
+
+def over_time(browser):
+    pixels = "document.querySelector('#timeline canvas').toDataURL()"
+    busy = browser.evaluate(pixels)
+    expect(len(busy) > 1000, "the map over time has colours")
+    browser.evaluate(CHOOSE + "('state', 'stall_mem')")
+    expect(browser.evaluate(pixels) != busy, "another state is another map")
+    whole = browser.evaluate("document.querySelectorAll('#cycles .chart')[1].textContent + document.querySelector('#cycles details').textContent")
+    browser.evaluate(CHOOSE + "('phase', 'flush')")
+    flush = browser.evaluate("document.querySelectorAll('#cycles .chart')[1].textContent + document.querySelector('#cycles details').textContent")
+    expect(flush != whole and "100.0 %" in flush, "a phase has states of its own")
+    expect(browser.evaluate("document.querySelectorAll('#visits svg rect').length") >= 1, "visits are drawn")
+
+
+def sweep(browser, file):
+    """Of the fixture in report_test.cpp: 24 points of scene a, in which b costs nothing, and others."""
+    browser.open(file)
+    front = "[...document.querySelectorAll('#front tbody tr')].map((row) => row.children[0].textContent)"
+    expect(browser.evaluate(front) == ["1", "5", "9", "13", "17", "21"], f"the front: {browser.evaluate(front)}")
+    expect(browser.evaluate("document.querySelectorAll('#front circle.front').length") == 6, "and its circles")
+    expect(browser.evaluate("document.querySelectorAll('#front circle').length") == 24, "all points of the scene are drawn, those that failed are not")
+    effects = browser.evaluate("[...document.querySelectorAll('#effects h3')].map((e) => e.textContent)")
+    expect(len(effects) == 2 and effects[0].startswith("core.count"), f"what does most comes first: {effects}")
+    lines = "document.querySelectorAll('#parallel svg > path').length"
+    expect(browser.evaluate(lines) == 24, "a line a point")
+    # One objective turned round: more cores are better.
+    browser.evaluate("[...document.querySelectorAll('#front button')].find((b) => b.textContent === 'less is better').click()")
+    expect(browser.evaluate(front) != ["1", "5", "9", "13", "17", "21"], "the front follows the goals")
+    # A range on an axis, by dragging.
+    browser.evaluate("document.querySelector('#parallel').scrollIntoView({block: 'center', behavior: 'instant'})")
+    box = browser.evaluate("(() => { const b = document.querySelector('#parallel rect[data-axis=\"core.count\"]').getBoundingClientRect(); return [b.left + b.width / 2, b.top, b.height]; })()")
+    for kind, share in (("mouseMoved", 0.98), ("mousePressed", 0.98), ("mouseMoved", 0.6), ("mouseReleased", 0.6)):
+        browser.send("Input.dispatchMouseEvent", type=kind, x=box[0], y=box[1] + share * box[2], button="left", buttons=1, clickCount=1)
+    left = browser.evaluate(lines)
+    expect(0 < left < 24, f"a range on an axis leaves some: {left}")
+    browser.open(file)
+    filters(browser, "#points", "core.count>=4 b=2", "(row) => Number(row.querySelectorAll('td')[3].textContent) >= 4 && row.querySelectorAll('td')[4].textContent === '2'")
+    expect(browser.evaluate(lines) == 3, f"the filter holds for the charts, too: {browser.evaluate(lines)}")
+    browser.open(file)
+    sorts(browser, "#points", 3)
+    browser.evaluate(CHOOSE + "('scene', 'b.glb')")
+    expect(browser.evaluate(lines) == 1, "the other scene")
+    expect(browser.complaints() == [], f"no errors after all that: {browser.complaints()}")
+
+
 def run(browser, file):
     browser.open(file)
     shown = "document.getElementById('picture-caption').textContent"
@@ -114,6 +162,8 @@ def run(browser, file):
     expect(len(browser.evaluate("[...document.querySelectorAll('#cycles .chart')].map((c) => c.querySelectorAll('svg').length)")) >= 2, "phases and blocks are drawn")
     filters(browser, "#numbers", "l2_bank0 hits", "(row) => row.textContent.includes('l2_bank0') && row.textContent.includes('hits')")
     browser.open(file)
+    if browser.evaluate("JSON.parse(document.getElementById('data').textContent).runs[0].timeline !== null"):
+        over_time(browser)
     filters(browser, "#numbers", "value>1000", "(row) => parseFloat(row.children[1].textContent.replace(/,/g, '')) > 1000")
     sorts(browser, "#numbers", 1)
     expect(browser.complaints() == [], f"no errors after all that: {browser.complaints()}")
@@ -156,5 +206,5 @@ def table(browser, file):
 with Browser() as browser:
     kind, file = sys.argv[1:]
     well_made(browser, file)
-    {"run": run, "comparison": comparison, "table": table}[kind](browser, file)
+    {"run": run, "comparison": comparison, "table": table, "sweep": sweep}[kind](browser, file)
 sys.exit(1 if wrong else 0)

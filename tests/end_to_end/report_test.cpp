@@ -45,9 +45,68 @@ class ReportTest : public ProgramTest {
 TEST_F(ReportTest, ARunsPageWorksInABrowser) {
   if (const std::string why = no_browser(); !why.empty()) GTEST_SKIP() << why;
   write_moving_scene();
-  run("moving.stage.toml", "out", {"--pictures", "all", "--check", "--set", "core.count=2"});
+  run("moving.stage.toml", "out", {"--pictures", "all", "--check", "--timeline", "--set", "core.count=2"});
   EXPECT_THAT(fine({"report", "out"}).out, HasSubstr("out/report.html"));
   open("run", "out/report.html");
+}
+
+/// What `artu sweep` writes: parameters core.count (1 ... 6) and b (1 ... 4), a cost that only the first one changes.
+class SweepReportTest : public ReportTest {
+ protected:
+  static std::string table() {
+    std::string rows = "point,folder,scene,frames,size,fidelity,status,core.count,b,cycles_per_frame,fps,name\n";
+    for (int i = 0; i < 24; ++i) {
+      const int cores = 1 + i / 4, b = 1 + i % 4;
+      rows += std::to_string(i + 1) + ",points/" + std::to_string(i) + ",a.glb,0:1,24x16,event,ok," +
+              std::to_string(cores) + "," + std::to_string(b) + "," + std::to_string(1000.5 / cores + b) + "," +
+              std::to_string(cores) + ",\"</script> \"\"quoted\"\", with a comma\"\n";
+    }
+    rows += "25,points/24,a.glb,0:1,24x16,event,dead-lock,7,1,,,\n";
+    return rows + "26,points/25,b.glb,0:1,24x16,event,ok,1,1,99,5,\n";
+  }
+  static std::string description() {
+    return R"({"schema": 1, "program": "artu", "version": "0", "design": {"kind": "grid"}, "fidelity": "event",
+ "scenes": [{"file": "a.glb"}, {"file": "b.glb"}],
+ "parameters": [{"path": "core.count", "kind": "integer", "unit": "", "default": 6, "values": [1, 2]},
+                {"path": "b", "kind": "integer", "unit": "bytes", "default": 1, "low": 1, "high": 4}],
+ "objectives": [{"figure": "cycles_per_frame", "goal": "minimise"}, {"figure": "core.count", "goal": "minimise"}]})";
+  }
+  void write_sweep(const std::string& folder) const {
+    std::filesystem::create_directory(path(folder));
+    write(folder + "/sweep.json", description());
+    write(folder + "/points.csv", table());
+  }
+};
+
+TEST_F(SweepReportTest, WorksInABrowser) {
+  if (const std::string why = no_browser(); !why.empty()) GTEST_SKIP() << why;
+  write_sweep("out");
+  fine({"report", "out"});
+  open("sweep", "out/report.html");
+}
+
+TEST_F(SweepReportTest, BrokenSweepsAreRefused) {
+  write_sweep("out");
+  write_scene("tiny.obj");
+  run("tiny.obj", "run");
+  EXPECT_THAT(refused({"report", "run", "out"}), HasSubstr("out: is a sweep"));
+  const auto with = [this](const std::string& file, const std::string& text) {
+    const std::string whole = read("out/" + file);
+    write("out/" + file, text);
+    const std::string line = refused({"report", "out"});
+    write("out/" + file, whole);
+    return line;
+  };
+  EXPECT_THAT(with("sweep.json", "{"), HasSubstr("out/sweep.json: is no JSON"));
+  EXPECT_THAT(with("sweep.json", "{\"schema\": 2}"), HasSubstr("has schema 2; schema 1"));
+  EXPECT_THAT(with("sweep.json", "{\"schema\": 1}"), HasSubstr("has no parameters"));
+  EXPECT_THAT(with("points.csv", table() + "1,2\n"), HasSubstr("out/points.csv:28: has 2 cells; 12"));
+  EXPECT_THAT(with("points.csv", table() + "\"1,2\n"), HasSubstr("out/points.csv:28: a quote does not end"));
+  EXPECT_THAT(with("points.csv", "point,point\n"), HasSubstr("out/points.csv:1: column \"point\" comes twice"));
+  EXPECT_THAT(with("points.csv", "point,folder\n"), HasSubstr("has no column scene"));
+  EXPECT_THAT(with("points.csv", table().substr(0, table().find('\n') + 1)), HasSubstr("has no points"));
+  std::filesystem::remove(path("out/points.csv"));
+  EXPECT_THAT(refused({"report", "out"}), HasSubstr("has no points.csv yet"));
 }
 
 TEST_F(ReportTest, RunsAreComparedInABrowser) {
@@ -117,7 +176,7 @@ TEST_F(ReportTest, WhatNoRunMadeIsRefused) {
 
 TEST_F(ReportTest, BrokenFilesAreRefused) {
   write_scene("tiny.obj");
-  run("tiny.obj", "out");
+  run("tiny.obj", "out", {"--timeline"});
   const auto before = content("out");
   const auto breaks = [this](const std::string& file, const std::string& text) {
     const std::string whole = read("out/" + file);
@@ -144,6 +203,9 @@ TEST_F(ReportTest, BrokenFilesAreRefused) {
               HasSubstr("is not an object of numbers"));
   EXPECT_THAT(breaks("manifest.json", with(manifest, "\"artu\"", "\"other\"")), HasSubstr("another program"));
   EXPECT_THAT(breaks("manifest.json", with(manifest, "\"width\"", "\"wide\"")), HasSubstr("has no size.width"));
+  const std::string timeline = read("out/timeline.json");
+  EXPECT_THAT(breaks("timeline.json", "{\"schema\": 2}"), HasSubstr("has schema 2; schema 1"));
+  EXPECT_THAT(breaks("timeline.json", with(timeline, "\"at\":[", "\"at\":[1,")), HasSubstr("has not one value a look"));
   EXPECT_THAT(breaks("config.toml", "[core]\ncount = 0\n"), HasSubstr("core.count"));
   EXPECT_EQ(content("out"), before);
 }

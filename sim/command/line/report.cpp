@@ -7,9 +7,11 @@ void add_report_page(CommandLine& line) {
   const auto options = std::make_shared<ReportOptions>();
   CLI::App& command = add_command(line, "report",
                                   "Make one HTML file of a run's folder that any browser opens, without a network; of "
-                                  "two folders a comparison, of more a table",
+                                  "two folders a comparison, of more a table, of a sweep its front",
                                   options, report_command);
-  command.add_option("DIR", options->folders, "Folders of artu run")->option_text(" ")->required();
+  command.add_option("DIR", options->folders, "Folders of artu run, or one of artu sweep")
+      ->option_text(" ")
+      ->required();
   command.add_option("-o,--output", options->output, "The page; default report.html in the first folder")
       ->option_text("FILE.html")
       ->group("Output");

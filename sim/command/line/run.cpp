@@ -15,6 +15,10 @@ void declare(CLI::App& command, RunOptions& run) {
 
   command.add_option("-o,--output", run.output, "Folder of the report")->option_text("DIR")->group("Output");
   add_pictures(command, "frame,decision,class", [&run](const PictureSet& pictures) { run.pictures = pictures; });
+  command
+      .add_flag("--timeline", run.simulation.timeline,
+                "Record what happens when, and how many nodes rays visit, in timeline.json (docs/report.md)")
+      ->group("Output");
   command.add_option("--dump-pixels", run.pixel_csv, "Write one row a pixel and frame (docs/selective-rendering.md)")
       ->option_text("FILE.csv")
       ->group("Output");

@@ -77,7 +77,7 @@ function axes(place, width, height, { x, y, marks = [] }) {
   for (const v of values(y, 5)) {
     svg.append(s("line", { class: "grid", x1: left, x2: width - right, y1: Y(v), y2: Y(v) }), s("text", { class: "soft", x: left - 6, y: Y(v) + 4, "text-anchor": "end" }, short(v)));
   }
-  for (const v of x.values || values(x, Math.max(2, Math.floor(width / 110)))) {
+  for (const v of x.values || values(x, Math.max(3, Math.floor(width / 100)))) {
     svg.append(s("line", { class: "axis", x1: X(v), x2: X(v), y1: height - bottom, y2: height - bottom + 4 }), s("text", { class: "soft", x: X(v), y: height - bottom + 17, "text-anchor": "middle" }, x.text ? x.text(v) : short(v)));
   }
   for (const mark of marks) {

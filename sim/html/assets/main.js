@@ -1,7 +1,7 @@
 // Puts the page together.
 function build() {
   const data = JSON.parse(document.getElementById("data").textContent);
-  const page = data.kind === "run" ? runPage(data.runs[0]) : comparisonPage(data);
+  const page = data.kind === "sweep" ? sweepPage(data) : data.kind === "run" ? runPage(data.runs[0]) : comparisonPage(data);
   const sections = page.sections.filter(Boolean);
   const links = sections.map((part) => h("li", {}, h("a", { href: "#" + part.id }, part.firstChild.textContent)));
   clear(document.getElementById("page")).append(
@@ -10,4 +10,9 @@ function build() {
     h("main", { id: "main", tabindex: -1 }, sections),
     h("footer", {}, `Made by artu ${data.version} report. Nothing in this file is fetched from anywhere.`), tip);
 }
-build();
+try {
+  build();
+} catch (error) {
+  document.getElementById("page").append(h("main", { id: "main" }, note("bad", "This page cannot be drawn: " + error.message)));
+  throw error;
+}

@@ -30,7 +30,7 @@ function compareValues(a, b) {
  * columns: [{key, label, num, title, text(row), cell(row)}], rows: objects.
  * Returns {element, filter(text), rows()}; `changed` is told of the rows that are left.
  */
-function dataTable(caption, columns, rows, { filter = false, limit = 200, sort = null, down = false, tall = false, changed, rowClass, choose } = {}) {
+function dataTable(caption, columns, rows, { filter = false, limit = 200, sort = null, down = false, tall = false, changed, rowClass, choose, filterBy = columns } = {}) {
   let by = sort, reverse = down, wanted = "", extra = null, most = limit, left = rows;
   const body = h("tbody"), more = h("div"), count = h("span", { class: "soft", role: "status" });
   const heads = columns.map((c) => {
@@ -43,7 +43,7 @@ function dataTable(caption, columns, rows, { filter = false, limit = 200, sort =
     return h("td", { class: c.num ? "num" : c.long ? "long" : null }, content ?? "–");
   }
   function draw() {
-    left = rows.filter(rowFilter(wanted, columns));
+    left = rows.filter(rowFilter(wanted, filterBy));
     if (extra) left = left.filter(extra);
     if (by !== null) {
       left = left.map((row, i) => [row, i]).sort(([a, i], [b, j]) => {
