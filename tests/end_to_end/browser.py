@@ -34,7 +34,7 @@ class Browser:
             os.set_inheritable(4, True)
 
         self.process = subprocess.Popen(
-            [find(), "--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-dev-shm-usage", "--disable-extensions",
+            [find(), "--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-dev-shm-usage", "--disable-extensions", "--hide-scrollbars",
              "--disable-background-networking", "--disable-component-update", "--host-resolver-rules=MAP * ~NOTFOUND",
              "--user-data-dir=" + self.folder, "--remote-debugging-pipe", "about:blank"],
             preexec_fn=pipes, close_fds=False, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -92,7 +92,8 @@ class Browser:
         until = time.monotonic() + self.timeout
         while not any(event["method"] == "Page.loadEventFired" for event in self.events):
             self.events.append(self._message(until))
-        self.evaluate("new Promise((done) => requestAnimationFrame(() => setTimeout(done, 100)))")
+        self.evaluate("new Promise((done) => setTimeout(done, 100))")
+        self.settle()
 
     def evaluate(self, expression):
         """The value of a JavaScript expression; of a promise what it comes to."""
@@ -107,10 +108,16 @@ class Browser:
                       **({"text": "\r"} if key == "Enter" and kind == "keyDown" else {}))
 
     def click(self, selector):
-        x, y = self.evaluate("(() => { const e = document.querySelector(%s); e.scrollIntoView({block: 'center', behavior: 'instant'}); const b = e.getBoundingClientRect(); "
-                             "return [b.left + b.width / 2, b.top + b.height / 2]; })()" % json.dumps(selector))
+        self.evaluate("document.querySelector(%s).scrollIntoView({block: 'center', behavior: 'instant'})" % json.dumps(selector))
+        self.settle()  # a click goes to what is on the screen
+        x, y = self.evaluate("(() => { const b = document.querySelector(%s).getBoundingClientRect(); return [b.left + b.width / 2, b.top + b.height / 2]; })()" % json.dumps(selector))
         for kind in ("mouseMoved", "mousePressed", "mouseReleased"):
             self.send("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="none" if kind == "mouseMoved" else "left", clickCount=1)
+        self.settle()
+
+    def settle(self):
+        """Until what was done is drawn."""
+        self.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 20))))")
 
     def type(self, text):
         self.send("Input.insertText", text=text)
@@ -135,6 +142,7 @@ class Browser:
         return [url for url in urls if not url.startswith("data:")]
 
     def screenshot(self, path, whole=True, selector=None):
+        self.settle()
         options = {"format": "png", "captureBeyondViewport": whole or selector is not None}
         if selector:
             options["clip"] = {**self.evaluate("(() => { const b = document.querySelector(%s).getBoundingClientRect(); return {x: b.left + scrollX, y: b.top + scrollY, width: b.width, height: b.height}; })()" % json.dumps(selector)), "scale": 1}

@@ -71,6 +71,7 @@ def filters(browser, table, text, left):
     """The table's filter leaves the rows that `left` (JavaScript, of a row's text) says."""
     browser.evaluate(f"document.querySelector('{table} input[type=search]').focus()")
     browser.type(text)
+    browser.settle()
     rows = browser.evaluate(f"[...document.querySelectorAll('{table} tbody tr')].map((row) => row.textContent)")
     expect(rows, f"{table}: rows are left of \"{text}\"")
     expect(browser.evaluate(f"[...document.querySelectorAll('{table} tbody tr')].every((row) => ({left})(row))"), f"{table}: \"{text}\" leaves only {left}: {rows[:3]}")
@@ -120,9 +121,11 @@ def sweep(browser, file):
     expect(browser.evaluate(front) != ["1", "5", "9", "13", "17", "21"], "the front follows the goals")
     # A range on an axis, by dragging.
     browser.evaluate("document.querySelector('#parallel').scrollIntoView({block: 'center', behavior: 'instant'})")
+    browser.settle()
     box = browser.evaluate("(() => { const b = document.querySelector('#parallel rect[data-axis=\"core.count\"]').getBoundingClientRect(); return [b.left + b.width / 2, b.top, b.height]; })()")
     for kind, share in (("mouseMoved", 0.98), ("mousePressed", 0.98), ("mouseMoved", 0.6), ("mouseReleased", 0.6)):
         browser.send("Input.dispatchMouseEvent", type=kind, x=box[0], y=box[1] + share * box[2], button="left", buttons=1, clickCount=1)
+    browser.settle()
     left = browser.evaluate(lines)
     expect(0 < left < 24, f"a range on an axis leaves some: {left}")
     browser.open(file)

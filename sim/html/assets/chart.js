@@ -81,7 +81,7 @@ function axes(place, width, height, { x, y, marks = [] }) {
     svg.append(s("line", { class: "axis", x1: X(v), x2: X(v), y1: height - bottom, y2: height - bottom + 4 }), s("text", { class: "soft", x: X(v), y: height - bottom + 17, "text-anchor": "middle" }, x.text ? x.text(v) : short(v)));
   }
   for (const mark of marks) {
-    svg.append(s("line", { class: "mark", x1: X(mark.x), x2: X(mark.x), y1: top, y2: height - bottom }), s("text", { class: "soft", x: X(mark.x) + 3, y: top + 9 }, mark.label));
+    svg.append(s("line", { class: "mark", x1: X(mark.x), x2: X(mark.x), y1: top, y2: height - bottom }), s("text", { class: "soft", x: X(mark.x) + (X(mark.x) > width - 80 ? -3 : 3), y: top + 9, "text-anchor": X(mark.x) > width - 80 ? "end" : "start" }, mark.label));
   }
   svg.append(s("line", { class: "axis", x1: left, x2: width - right, y1: height - bottom, y2: height - bottom }),
     s("text", { class: "soft", x: (left + width - right) / 2, y: height - 4, "text-anchor": "middle" }, x.label || ""));
