@@ -140,6 +140,11 @@ void DramChannel::time_out(std::uint32_t index, Cycle now) {
   if (config_.row_policy != RowPolicy::timeout || !bank.open) return;
   const Cycle at = std::max(bank.precharge_at, bank.used_at + config_.row_timeout);
   if (at >= now) return;
+  // Kept for an access that was there in time, or a short timeout would close every row before its first one.
+  for (const DramQueue* queue : {&reads_, &writes_}) {
+    const DramQueue::Index hit = queue->hit_of(index);
+    if (hit != DramQueue::none && (*queue)[hit].arrived <= at) return;
+  }
   close(index, at + config_.t_rp);
   ++counts_.precharges;
 }

@@ -22,9 +22,19 @@ constexpr const char* input = "Prepare input";
 
 // clang-format off: a line each
 constexpr Command commands[] = {
-    {simulate, add_run},    {look, add_report_page},  {look, add_explain}, {explore, add_scaling},
-    {explore, add_quality}, {explore, add_precision}, {check, add_check},  {check, add_diff},
-    {check, add_stress},    {check, add_sampling},    {check, add_bench},  {input, add_import},
+    {simulate, add_run},
+    {look, add_report_page},
+    {look, add_explain},
+    {explore, add_scaling},
+    {explore, add_quality},
+    {explore, add_precision},
+    {check, add_check},
+    {check, add_diff},
+    {check, add_stress},
+    {check, add_torture},
+    {check, add_sampling},
+    {check, add_bench},
+    {input, add_import},
 };
 // clang-format on
 

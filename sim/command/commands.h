@@ -19,6 +19,14 @@ struct StressCommandOptions {
   bool list = false, force = false, quiet = false;
 };
 
+struct TortureOptions {
+  std::uint64_t cases = 200, seed = 1;
+  std::uint32_t jobs = 1;  // processes
+  std::string output;      // of the smallest case that fails; "" = none given
+  hw::Fault fault;
+  bool dry_run = false, quiet = false;
+};
+
 int run_command(const RunOptions& options);
 int import_command(const ImportOptionsOfCommand& options);
 int scaling_command(const ScalingOptions& options);
@@ -30,6 +38,7 @@ int sampling_command(const SamplingOptions& options);
 int report_command(const ReportOptions& options);
 int diff_command(const std::string& a, const std::string& b);
 int stress_command(const StressCommandOptions& options);
+int torture_command(const TortureOptions& options);
 
 /// Parses the command line and runs what it asks for.
 int main_command(int argc, const char* const* argv);

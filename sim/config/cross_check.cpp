@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <initializer_list>
 
 #include "sim/config/path_visitor.h"
@@ -65,6 +66,25 @@ void check_selective(const hw::SelectiveConfig& selective, const Places& places)
   }
 }
 
+/// A row that is opened between two refreshes must be read before the second, or the DRAM never answers: the slowest
+/// way there is to end a row, refresh, and open another while the activate window is full.
+void check_refresh(const hw::DramConfig& dram, const Places& places) {
+  if (dram.refresh == hw::RefreshPolicy::none) return;
+  const bool all = dram.refresh == hw::RefreshPolicy::all_bank;
+  const char* const refresh = all ? "t_rfc" : "t_rfc_bank";
+  const char* const precharge = all ? "t_rp_all" : "t_rp";
+  const std::uint32_t needed = (all ? dram.t_rfc : dram.t_rfc_bank) + (all ? dram.t_rp_all : dram.t_rp) + dram.t_ras +
+                               dram.t_rcd + std::max(dram.t_faw, dram.t_rrd);
+  if (dram.t_refi > needed) return;
+  const std::string group = "memory.dram.";
+  throw InputError(
+      place_of(places, {group + "t_refi", group + refresh, group + precharge, group + "t_ras", group + "t_rcd",
+                        group + "t_faw", group + "t_rrd", group + "refresh"}),
+      fmt::format("memory.dram.t_refi = {} leaves no time between refreshes: {} + {} + t_ras + t_rcd + the "
+                  "longer of t_faw and t_rrd is {}; at least {} would be right",
+                  dram.t_refi, refresh, precharge, needed, needed + 1));
+}
+
 }  // namespace
 
 void cross_check(const hw::UnitConfig& unit, const Places& places) {
@@ -80,6 +100,7 @@ void cross_check(const hw::UnitConfig& unit, const Places& places) {
   below("bank_groups", dram.bank_groups, "banks", dram.banks, true);
   below("write_low", dram.write_low, "write_high", dram.write_high, false);
   below("write_high", dram.write_high, "write_queue_depth", dram.write_queue_depth, true);
+  check_refresh(dram, places);
   constexpr std::uint32_t spilled_at_once = 8;
   if (unit.core.stack_overflow == hw::StackOverflow::spill && unit.core.stack_entries < spilled_at_once) {
     throw InputError(

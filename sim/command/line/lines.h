@@ -17,5 +17,6 @@ void add_report_page(CommandLine& line);
 void add_explain(CommandLine& line);
 void add_diff(CommandLine& line);
 void add_stress(CommandLine& line);
+void add_torture(CommandLine& line);
 
 }  // namespace artu::sim

@@ -195,6 +195,19 @@ TEST(DramController, RowPoliciesCloseRows) {
   EXPECT_EQ(cycles[2], 1000 + 29 + 28 + burst + 1) << "closed, long ago";
 }
 
+TEST(DramController, AShortTimeoutClosesNoRowThatIsWaitedFor) {
+  DramConfig config = config_of();
+  config.row_policy = RowPolicy::timeout;
+  config.row_timeout = 1;
+  config.t_ras = 1;  // the row may be closed long before its first column command
+  Memory m(config);
+  m.read(10, m.at(0, 0, 0)).read(1000, m.at(0, 0, 1));
+  const auto cycles = m.run();
+  EXPECT_EQ(cycles[0], 10 + 29 + 28 + burst + 1);
+  EXPECT_EQ(cycles[1], 1000 + 29 + 28 + burst + 1) << "closed in between";
+  EXPECT_EQ(m.count("activates"), 2u);
+}
+
 TEST(DramController, BankGroupsSpaceTheirColumns) {
   DramConfig config = config_of(DramPreset::lpddr5_6400);
   Memory same(config), turn(config);

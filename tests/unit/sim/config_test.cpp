@@ -14,6 +14,7 @@
 namespace artu::sim {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -253,6 +254,16 @@ TEST_F(ConfigTest, DramParametersMustFitEachOther) {
             "FILE:2: memory.dram.write_low = 24 is not below memory.dram.write_high = 24; at most 23 would be right");
   EXPECT_EQ(load_error("[memory.dram]\nbank_groups = 16\n"),
             "FILE:2: memory.dram.bank_groups = 16 is above memory.dram.banks = 8; at most 8 would be right");
+}
+
+TEST_F(ConfigTest, BetweenTwoRefreshesARowCanBeRead) {
+  EXPECT_EQ(load_error("[memory.dram]\nt_refi = 186\n"),
+            "FILE:2: memory.dram.t_refi = 186 leaves no time between refreshes: t_rfc + t_rp_all + t_ras + t_rcd + the "
+            "longer of t_faw and t_rrd is 643; at least 644 would be right");
+  EXPECT_THAT(load_error("[memory.dram]\nrefresh = \"per-bank\"\nt_rfc_bank = 90000\n"),
+              AllOf(StartsWith("FILE:3: memory.dram.t_refi = "), HasSubstr("t_rfc_bank + t_rp + ")));
+  EXPECT_EQ(load("[memory.dram]\nt_refi = 644\n").memory.dram.t_refi, 644u);
+  EXPECT_EQ(load("[memory.dram]\nt_refi = 186\nrefresh = \"none\"\n").memory.dram.t_refi, 186u);
 }
 
 TEST_F(ConfigTest, KdTreesAreBuiltAnewAndBySahAlone) {
