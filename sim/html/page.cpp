@@ -77,7 +77,7 @@ std::string json_in_html(const nlohmann::ordered_json& data) {
     const char c = json[i];
     if (c == '<' || c == '>' || c == '&') {
       out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    } else if (json.compare(i, 3, "\xe2\x80\xa8") == 0 || json.compare(i, 3, "\xe2\x80\xa9") == 0) {
+    } else if (c == '\xe2' && (json.compare(i, 3, "\xe2\x80\xa8") == 0 || json.compare(i, 3, "\xe2\x80\xa9") == 0)) {
       out += json[i + 2] == '\xa8' ? "\\u2028" : "\\u2029";
       i += 2;
     } else {

@@ -187,6 +187,22 @@ std::vector<PictureFile> picture_files(const std::string& folder) {
   return files;
 }
 
+/// Every frame, or every second, or every third ... : the first of these that are no more than `bytes` together.
+std::set<std::uint32_t> evenly(const std::map<std::uint32_t, std::uint64_t>& sizes, std::uint64_t bytes) {
+  for (std::size_t stride = 1; stride <= sizes.size(); ++stride) {
+    std::set<std::uint32_t> kept;
+    std::uint64_t sum = 0;
+    std::size_t number = 0;
+    for (const auto& [frame, size] : sizes) {
+      if (number++ % stride != 0) continue;
+      kept.insert(frame);
+      sum += size;
+    }
+    if (sum <= bytes) return kept;
+  }
+  return {};
+}
+
 }  // namespace
 
 bool is_run_folder(const std::string& folder) {
@@ -222,25 +238,16 @@ nlohmann::ordered_json run_data(const std::string& folder) {
 
 std::size_t add_pictures(nlohmann::ordered_json& run, const std::string& folder, std::uint64_t bytes) {
   const std::vector<PictureFile> files = picture_files(folder);
-  std::set<std::uint32_t> frames;
-  std::uint64_t all = 0;
-  for (const PictureFile& file : files) {
-    frames.insert(file.frame);
-    all += file.bytes;
-  }
-  const std::uint64_t stride = bytes == 0 ? frames.size() + 1 : std::max<std::uint64_t>(1, (all + bytes - 1) / bytes);
-  std::set<std::uint32_t> kept;
-  std::size_t number = 0;
-  for (const std::uint32_t frame : frames) {
-    if (bytes != 0 && number++ % stride == 0) kept.insert(frame);
-  }
+  std::map<std::uint32_t, std::uint64_t> sizes;  // by frame
+  for (const PictureFile& file : files) sizes[file.frame] += file.bytes;
+  const std::set<std::uint32_t> kept = evenly(sizes, bytes);
   for (const PictureFile& file : files) {
     if (kept.count(file.frame) == 0) continue;
     run["pictures"].push_back(
         {{"kind", picture_names[file.kind]}, {"frame", file.frame}, {"png", base64(read_file(file.file.string()))}});
   }
-  run["frames_left_out"] = frames.size() - kept.size();
-  return frames.size() - kept.size();
+  run["frames_left_out"] = sizes.size() - kept.size();
+  return sizes.size() - kept.size();
 }
 
 }  // namespace artu::sim

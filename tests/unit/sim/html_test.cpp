@@ -1,4 +1,5 @@
 // What goes into a page: text that cannot end its script, base64, and the tables of a sweep.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include "sim/html/assets.h"
 #include "sim/html/csv_file.h"
 #include "sim/html/page.h"
+#include "sim/html/run_data.h"
 #include "sim/report/file.h"
 #include "traces/error.h"
 
@@ -54,6 +56,39 @@ TEST(Html, ThePageNamesNothingOutsideAndEscapesItsTitle) {
 TEST(Html, AnAssetIsKnownByItsName) {
   EXPECT_THAT(std::string(html_asset("report.css")), HasSubstr("prefers-color-scheme"));
   EXPECT_EQ(html_asset("none.js"), "");
+}
+
+TEST(RunPictures, AreLeftOutEvenlyWhereTheyAreTooMany) {
+  const std::string folder = ::testing::TempDir() + "artu_pictures_test";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directory(folder);
+  for (int frame = 5; frame < 13; ++frame) {
+    for (const char* kind : {"frame", "class"}) {
+      write_file(fmt::format("{}/{}_{:04}.png", folder, kind, frame), std::string(1000, 'x'));
+    }
+  }
+  for (const char* other : {"strip_0005.png", "animation.png", "frame_x.png", "frame_0005.txt", "report.html"}) {
+    write_file(folder + "/" + other, std::string(100000, 'x'));
+  }
+  const auto frames = [&](std::uint64_t bytes) {
+    nlohmann::ordered_json run = {{"pictures", nlohmann::ordered_json::array()}};
+    const std::size_t left_out = add_pictures(run, folder, bytes);
+    std::vector<int> kept;
+    for (const auto& picture : run["pictures"]) {
+      if (picture["kind"] == "frame") kept.push_back(picture["frame"]);
+    }
+    EXPECT_EQ(run["pictures"].size(), 2 * kept.size());
+    EXPECT_EQ(left_out, 8 - kept.size());
+    EXPECT_LE(1000 * run["pictures"].size(), bytes);
+    return kept;
+  };
+  EXPECT_THAT(frames(16000), ElementsAre(5, 6, 7, 8, 9, 10, 11, 12));
+  EXPECT_THAT(frames(15999), ElementsAre(5, 7, 9, 11));
+  EXPECT_THAT(frames(6000), ElementsAre(5, 8, 11));
+  EXPECT_THAT(frames(5999), ElementsAre(5, 9));
+  EXPECT_THAT(frames(1999), ElementsAre());
+  EXPECT_THAT(frames(0), ElementsAre());
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Csv, TakesQuotesCommasAndLineEndsInCells) {
