@@ -1,5 +1,6 @@
 #include "sim/html/json_file.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "sim/report/file.h"
@@ -20,6 +21,8 @@ bool is(const OrderedJson& json, Shape::Kind kind) {
       return json.is_string();
     case Shape::Kind::number:
       return json.is_number();
+    case Shape::Kind::number_list:
+      return json.is_array() && std::all_of(json.begin(), json.end(), [](const auto& v) { return v.is_number(); });
     case Shape::Kind::numbers:
       if (!json.is_object()) return false;
       for (const auto& value : json) {
@@ -31,7 +34,8 @@ bool is(const OrderedJson& json, Shape::Kind kind) {
 }
 
 const char* name_of(Shape::Kind kind) {
-  static const char* const names[] = {"an object", "a list", "a text", "a number", "an object of numbers"};
+  static const char* const names[] = {"an object",        "a list", "a text", "a number", "an object of numbers",
+                                      "a list of numbers"};
   return names[static_cast<std::size_t>(kind)];
 }
 

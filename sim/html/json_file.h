@@ -16,7 +16,7 @@ OrderedJson read_json(const std::string& file);
 class Shape {
  public:
   explicit Shape(std::string file) : file_(std::move(file)) {}
-  enum class Kind { object, array, string, number, numbers };
+  enum class Kind { object, array, string, number, numbers, number_list };
   /// json[keys[0]][keys[1]]...; `numbers` is an object whose values are numbers, or null for what is not finite.
   const OrderedJson& need(const OrderedJson& json, const std::vector<std::string>& keys, Kind kind) const;
   /// `what` is wrong, `right` would not be.

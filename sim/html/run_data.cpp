@@ -91,6 +91,38 @@ OrderedJson read_meanings(const std::string& file) {
   return meanings;
 }
 
+/// A frame of timeline.json.
+void check_timeline(const Shape& shape, const OrderedJson& frame) {
+  for (const char* key : {"index", "cycles", "interval"}) shape.need(frame, {key}, Kind::number);
+  const std::size_t looks = shape.need(frame, {"at"}, Kind::number_list).size();
+  if (looks == 0) shape.fail("at is empty", "one look or more");
+  const auto looked = [&](const std::vector<std::string>& keys) {
+    if (shape.need(frame, keys, Kind::number_list).size() != looks) {
+      shape.fail(keys.back() + " has not one value a look", "one");
+    }
+  };
+  for (const OrderedJson& phase : shape.need(frame, {"phases"}, Kind::array)) {
+    shape.need(phase, {"phase"}, Kind::string);
+    for (const char* key : {"from", "to"}) shape.need(phase, {key}, Kind::number);
+    shape.need(phase, {"blocks"}, Kind::object);
+    for (const auto& [block, counters] : phase["blocks"].items()) shape.need(phase, {"blocks", block}, Kind::numbers);
+  }
+  for (const auto& [block, states] : shape.need(frame, {"blocks"}, Kind::object).items()) {
+    for (std::size_t s = 0; s < hw::state_count; ++s) {
+      looked({"blocks", block, hw::state_name(static_cast<hw::State>(s))});
+    }
+  }
+  if (shape.need(frame, {"channels"}, Kind::object).empty()) shape.fail("has no channels", "those of the unit");
+  for (const auto& [channel, of] : frame["channels"].items()) {
+    shape.need(frame, {"channels", channel, "capacity"}, Kind::number);
+    looked({"channels", channel, "level"});
+  }
+  for (const char* count : {"read_bytes", "write_bytes", "rays_begun", "rays_finished"}) looked({"counts", count});
+  for (const auto& [kind, visits] : shape.need(frame, {"visits"}, Kind::object).items()) {
+    shape.need(frame, {"visits", kind}, Kind::number_list);
+  }
+}
+
 /// Null where the run has not recorded it.
 OrderedJson read_timeline(const std::string& file) {
   std::error_code ignored;
@@ -101,36 +133,7 @@ OrderedJson read_timeline(const std::string& file) {
     shape.fail(fmt::format("has schema {}", timeline["schema"].dump()), fmt::format("schema {}", TimelineJson::schema));
   }
   if (shape.need(timeline, {"frames"}, Kind::array).empty()) shape.fail("has no frames", "one frame or more");
-  for (const OrderedJson& frame : timeline["frames"]) {
-    for (const char* key : {"index", "cycles", "interval"}) shape.need(frame, {key}, Kind::number);
-    for (const char* key : {"at", "phases"}) shape.need(frame, {key}, Kind::array);
-    const std::size_t looks = frame["at"].size();
-    const auto looked = [&](const OrderedJson& json, const std::vector<std::string>& keys) {
-      if (shape.need(json, keys, Kind::array).size() != looks)
-        shape.fail(keys.back() + " has not one value a look", "one");
-    };
-    for (const OrderedJson& phase : frame["phases"]) {
-      shape.need(phase, {"phase"}, Kind::string);
-      for (const char* key : {"from", "to"}) shape.need(phase, {key}, Kind::number);
-      shape.need(phase, {"blocks"}, Kind::object);
-      for (const auto& [block, counters] : phase["blocks"].items()) shape.need(phase, {"blocks", block}, Kind::numbers);
-    }
-    for (const auto& [block, states] : shape.need(frame, {"blocks"}, Kind::object).items()) {
-      for (std::size_t s = 0; s < hw::state_count; ++s) {
-        looked(frame, {"blocks", block, hw::state_name(static_cast<hw::State>(s))});
-      }
-    }
-    if (shape.need(frame, {"channels"}, Kind::object).empty()) shape.fail("has no channels", "those of the unit");
-    for (const auto& [channel, of] : frame["channels"].items()) {
-      shape.need(frame, {"channels", channel, "capacity"}, Kind::number);
-      looked(frame, {"channels", channel, "level"});
-    }
-    for (const char* count : {"read_bytes", "write_bytes", "rays_begun", "rays_finished"})
-      looked(frame, {"counts", count});
-    for (const auto& [kind, visits] : shape.need(frame, {"visits"}, Kind::object).items()) {
-      shape.need(frame, {"visits", kind}, Kind::array);
-    }
-  }
+  for (const OrderedJson& frame : timeline["frames"]) check_timeline(shape, frame);
   return timeline;
 }
 

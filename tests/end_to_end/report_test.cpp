@@ -206,6 +206,8 @@ TEST_F(ReportTest, BrokenFilesAreRefused) {
   const std::string timeline = read("out/timeline.json");
   EXPECT_THAT(breaks("timeline.json", "{\"schema\": 2}"), HasSubstr("has schema 2; schema 1"));
   EXPECT_THAT(breaks("timeline.json", with(timeline, "\"at\":[", "\"at\":[1,")), HasSubstr("has not one value a look"));
+  EXPECT_THAT(breaks("timeline.json", with(timeline, "\"at\":[", "\"at\":[null,")),
+              HasSubstr("at is not a list of numbers"));
   EXPECT_THAT(breaks("config.toml", "[core]\ncount = 0\n"), HasSubstr("core.count"));
   EXPECT_EQ(content("out"), before);
 }
