@@ -14,6 +14,8 @@
 #include "sim/config/configuration.h"
 #include "sim/config/json.h"
 #include "sim/config/parameter_list.h"
+#include "sim/explain/explain.h"
+#include "sim/explain/stored_run.h"
 #include "sim/html/json_file.h"
 #include "sim/html/page.h"
 #include "sim/report/file.h"
@@ -89,6 +91,26 @@ OrderedJson read_meanings(const std::string& file) {
     meanings[name] = {unit, line.substr(mark + 3)};
   }
   return meanings;
+}
+
+/// What `artu explain` prints, a list of [what, text]; or a text, why it cannot.
+OrderedJson explanation_of(const std::string& folder) {
+  std::istringstream text;
+  try {
+    const StoredRun run = read_run(folder);
+    text.str(format_explanation(explain(run.totals, run.unit)));
+  } catch (const InputError& error) {
+    return error.what();
+  } catch (const std::logic_error& error) {  // counters that this version does not know
+    return error.what();
+  }
+  OrderedJson lines = OrderedJson::array();
+  for (std::string line; std::getline(text, line);) {
+    const std::size_t end = line.find("  "), begin = line.find_first_not_of(' ', end);
+    if (begin == std::string::npos) continue;
+    lines.push_back({line.substr(0, end), line.substr(begin)});
+  }
+  return lines;
 }
 
 /// A frame of timeline.json.
@@ -234,6 +256,7 @@ nlohmann::ordered_json run_data(const std::string& folder) {
                      {"stats", read_stats(file("stats.json"))},
                      {"meanings", read_meanings(file("stats.txt"))},
                      {"parameters", read_parameters(file("config.toml"))},
+                     {"explanation", explanation_of(folder)},
                      {"timeline", read_timeline(file("timeline.json"))},
                      {"pictures", OrderedJson::array()}};
   return run;

@@ -140,6 +140,7 @@ def sweep(browser, file):
 
 def run(browser, file):
     browser.open(file)
+    expect("cycles a frame" in browser.evaluate("document.getElementById('explanation').textContent"), "what binds the run is said")
     shown = "document.getElementById('picture-caption').textContent"
     picture = "document.querySelector('.stage img').src"
     first = browser.evaluate(picture)

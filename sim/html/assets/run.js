@@ -44,9 +44,17 @@ function verdicts(run) {
   return list;
 }
 
+/** The words of `artu explain`. */
+function explanation(run) {
+  if (!Array.isArray(run.explanation)) return null;
+  const at = run.explanation.find(([what]) => what === "bottleneck");
+  return [h("h3", {}, "What binds it"), at && note("", at[1]), h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "What binds it" }, h("table", { id: "explanation" }, h("tbody", {}, run.explanation.filter((line) => line !== at).map(([what, text]) => h("tr", {}, h("th", { scope: "row" }, what), h("td", { class: "long" }, text)))))),
+    h("p", { class: "soft" }, "In the words of ", command("artu explain"), "; ", command("--verify"), " tries it out.")];
+}
+
 function summarySection(run) {
   const estimates = run.stats.totals.estimates;
-  return section("summary", "Summary", h("div", { class: "tiles" }, headline(run).map(([value, text]) => tile(value, text))), verdicts(run),
+  return section("summary", "Summary", h("div", { class: "tiles" }, headline(run).map(([value, text]) => tile(value, text))), verdicts(run), explanation(run),
     estimates && Object.keys(estimates).length > 0 && h("details", {}, h("summary", {}, "Estimates with their 95 % intervals"), estimateTable(estimates)));
 }
 function estimateTable(estimates) {
