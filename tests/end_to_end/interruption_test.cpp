@@ -1,0 +1,110 @@
+// What a full disk, too little memory and a kill at any moment leave behind: one line, and no half-written file.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "end_to_end/program.h"
+
+namespace artu::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class InterruptionTest : public ProgramTest {
+ protected:
+  InterruptionTest() { write_scene("tiny.obj"); }
+
+  /// A shell's commands, in which $artu is the program.
+  Finished shell(const std::string& commands) const {
+    return program("/bin/sh", {"-c", "artu=" ARTU_BINARY "; " + commands});
+  }
+};
+
+/// A limit on the size of files is a disk that is full after so many blocks of 512 bytes.
+TEST_F(InterruptionTest, AFullDiskIsOneLineAndLeavesNothing) {
+  for (const char* command :
+       {"run tiny.obj --size 160x90 -o out", "run tiny.obj --size 160x90 -o out --jobs 2 --frames 0:3",
+        "run tiny.obj --size 160x90 -o out --timeline", "run tiny.obj --size 64x64 -o out --dump-pixels p.csv",
+        "run tiny.obj --size 64x64 -o out --memory-trace m.txt", "import tiny.obj -o a.artu",
+        "precision tiny.obj --size 8x8 --bits 23 --trees bvh2 -o out", "scaling tiny.obj --size 8x8 -o out",
+        "quality tiny.obj --size 64x64 --references 16 --policies fixed -o out",
+        "torture --cases 1 --seed 1 --inject-fault triangle:30 -o out",
+        "stress --rays 100 --only box/as-is --json j"}) {
+    SCOPED_TRACE(command);
+    // Standard output and error are files here as well: they go through pipes.
+    const Finished run = shell("trap '' XFSZ; { ( ulimit -f 0; $artu " + std::string(command) +
+                               " 2>&1 >/dev/null; echo \"code $?\" ) | cat; } >&2");
+    EXPECT_THAT(run.err, EndsWith("\ncode 2\n"));
+    EXPECT_THAT(run.err, StartsWith("error: "));
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 2) << run.err;
+    EXPECT_THAT(content(), ElementsAre("tiny.obj"));
+  }
+}
+
+TEST_F(InterruptionTest, AStandardOutputWithoutRoomIsOneLine) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
+  for (const char* command : {"run --list-params", "--help", "run tiny.obj --size 8x8 -o out", "stress --list"}) {
+    SCOPED_TRACE(command);
+    const Finished run = shell("$artu " + std::string(command) + " >/dev/full");
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr("standard output"));
+  }
+}
+
+TEST_F(InterruptionTest, TooLittleMemoryIsOneLineAndLeavesNothing) {
+  const Finished run = shell("ulimit -v 400000; $artu run tiny.obj --size 16384x16384 -o out");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, AllOf(StartsWith("error: "), HasSubstr("out of memory")));
+  EXPECT_THAT(content(), ElementsAre("tiny.obj"));
+}
+
+TEST_F(InterruptionTest, APlaceThatCannotBeWrittenIsNamedBeforeAnythingRuns) {
+  for (const char* place : {"/dev/null/out", "/proc/artu-out"}) {
+    EXPECT_THAT(refused({"run", "tiny.obj", "--frames", "0:1000000", "-o", place}),
+                AllOf(HasSubstr(place[1] == 'd' ? "/dev/null" : "/proc/artu-out"), HasSubstr("would be right")));
+    EXPECT_THAT(refused({"import", "tiny.obj", "-o", place}), HasSubstr(place[1] == 'd' ? "/dev/null" : "/proc"));
+  }
+}
+
+/// A killed run has no folder under its name, or all of it.
+TEST_F(InterruptionTest, AKillAtAnyMomentLeavesAllOrNothing) {
+  const std::string whole = "$artu run tiny.obj --size 48x32 --frames 0:6 --pictures all --quiet -o ";
+  ASSERT_EQ(shell(whole + "whole").code, 0);
+  const std::vector<std::string> files = content("whole");
+  unsigned unfinished = 0;
+  for (int milliseconds = 0; milliseconds < 300; milliseconds += 15) {
+    const std::string name = "out" + std::to_string(milliseconds);
+    char pause[16];
+    std::snprintf(pause, sizeof pause, "0.%03d", milliseconds);
+    shell(whole + name + " & sleep " + pause + "; kill -9 $! 2>/dev/null; wait");
+    if (exists(name)) {
+      EXPECT_EQ(content(name), files) << name;
+    } else {
+      ++unfinished;
+    }
+  }
+  EXPECT_GT(unfinished, 0u) << "the first is killed before it can be done";
+  // What is left of one does not stand in the way of the next.
+  shell(whole + "again & sleep 0.05; kill -9 $!; wait");
+  EXPECT_EQ(shell(whole + "again --force").code, 0);
+  EXPECT_EQ(content("again"), files);
+}
+
+TEST_F(InterruptionTest, AnInterruptLeavesNothing) {
+  for (const char* signal : {"TERM", "HUP"}) {  // a shell has background jobs ignore INT: JobsTest has it
+    const Finished run =
+        shell("$artu run tiny.obj --size 640x360 --frames 0:100000 --quiet -o out & sleep 0.3; kill -" +
+              std::string(signal) + " $!; wait $!");
+    EXPECT_GT(run.code, 128) << signal;
+    EXPECT_THAT(content(), ElementsAre("tiny.obj")) << signal;
+  }
+}
+
+}  // namespace
+}  // namespace artu::test
