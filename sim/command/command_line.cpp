@@ -19,22 +19,14 @@ constexpr const char* look = "Look at a run";
 constexpr const char* explore = "Explore a design";
 constexpr const char* check = "Check the model";
 constexpr const char* input = "Prepare input";
+constexpr const char* shell = "Set up a shell";
 
 // clang-format off: a line each
 constexpr Command commands[] = {
-    {simulate, add_run},
-    {look, add_report_page},
-    {look, add_explain},
-    {explore, add_scaling},
-    {explore, add_quality},
-    {explore, add_precision},
-    {check, add_check},
-    {check, add_diff},
-    {check, add_stress},
-    {check, add_torture},
-    {check, add_sampling},
-    {check, add_bench},
-    {input, add_import},
+    {simulate, add_run},    {look, add_report_page},  {look, add_explain},   {explore, add_scaling},
+    {explore, add_quality}, {explore, add_precision}, {check, add_check},    {check, add_diff},
+    {check, add_stress},    {check, add_torture},     {check, add_sampling}, {check, add_bench},
+    {input, add_import},    {shell, add_completion},  {shell, add_man},
 };
 // clang-format on
 

@@ -18,5 +18,7 @@ void add_explain(CommandLine& line);
 void add_diff(CommandLine& line);
 void add_stress(CommandLine& line);
 void add_torture(CommandLine& line);
+void add_completion(CommandLine& line);
+void add_man(CommandLine& line);
 
 }  // namespace artu::sim
