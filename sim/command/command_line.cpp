@@ -24,6 +24,7 @@ constexpr const char* shell = "Set up a shell";
 // clang-format off: a line each
 constexpr Command commands[] = {
     {simulate, add_run},    {look, add_report_page},  {look, add_explain},   {explore, add_scaling},
+    {explore, add_sweep},
     {explore, add_quality}, {explore, add_precision}, {check, add_check},    {check, add_diff},
     {check, add_stress},    {check, add_torture},     {check, add_sampling}, {check, add_bench},
     {input, add_import},    {shell, add_completion},  {shell, add_man},
@@ -38,6 +39,7 @@ const std::vector<Example> examples{
     {"artu report runs/default-1", "a page of it, to open in a browser"},
     {"artu explain runs/default-1", "what binds it, and which parameter to turn next"},
     {"artu scaling scene.glb --vary core.count=1,2,4,8", "what more cores gain, and what limits them"},
+    {"artu sweep grid.toml -o caches --jobs 2", "any parameters and scenes: a folder a point, and one table"},
     {"artu check scene.glb --frames 12", "frame 12 against the golden model"},
     {"artu import scene.glb --frames all -o scene.artu", "all frames as a trace, to run without the scene"},
 };

@@ -29,6 +29,7 @@ struct TortureOptions {
 
 int run_command(const RunOptions& options);
 int import_command(const ImportOptionsOfCommand& options);
+int sweep_command(const SweepOptions& options);
 int scaling_command(const ScalingOptions& options);
 int quality_command(const QualityOptions& options);
 int precision_command(const PrecisionOptions& options);

@@ -65,6 +65,16 @@ struct ExplainOptions {
   bool verify = false, json = false, quiet = false;
 };
 
+struct SweepOptions {
+  std::string grid;    // GRID.toml
+  std::string output;  // "" = none given
+  // Points at the same time; none given: 1, on a cluster as many as there is room for.
+  std::optional<std::uint32_t> jobs;
+  std::string part;    // K/T; "" = all
+  bool slurm = false;  // the points as jobs of a cluster
+  bool resume = false, collect = false, dry_run = false, force = false, quiet = false;
+};
+
 struct SamplingOptions {
   SourceOptions source;
   std::vector<std::string> config_files, assignments;

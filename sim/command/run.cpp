@@ -11,6 +11,7 @@
 #include "sim/command/example_scene.h"
 #include "sim/command/frame_source.h"
 #include "sim/command/progress.h"
+#include "sim/command/run_frames.h"
 #include "sim/command/run_report.h"
 #include "sim/command/sampled_run.h"
 #include "sim/compare/golden_settings.h"
@@ -42,13 +43,6 @@ bool print_lists(const RunOptions& options, const hw::UnitConfig& unit) {
   if (options.list_stats) fmt::print("{}", stats_list(unit, options.simulation));
   return options.dump_config || options.list_params || options.list_stats;
 }
-
-struct RunResult {
-  Totals sum;
-  std::vector<std::uint32_t> simulated;  // frames, with `sampled`
-  CheckResult check;
-  bool lawful = true;  // no accounting law is violated
-};
 
 void report_violations(const FrameReport& frame) {
   for (const std::string& violation : frame.violations) {
@@ -178,6 +172,36 @@ void print_dry_run(const RunOptions& options, const FrameSource& source) {
 
 }  // namespace
 
+RunResult run_frames(const RunOptions& options, const hw::UnitConfig& unit, const FrameSource& source,
+                     StaticTrees* shared_trees, MemoryMeter& memory, RunReport* report) {
+  SimulationOptions simulation = options.simulation;
+  simulation.log_sink = [](const std::string& line) { fmt::print(stderr, "log: {}\n", line); };
+  const bool sampled = simulation.fidelity == Fidelity::sampled;
+  StaticTrees trees(source.scene());
+  simulation.static_trees = shared_trees;
+  if (sampled) {
+    simulation.fidelity = Fidelity::event;  // of the frames that are simulated
+    if (shared_trees == nullptr) simulation.static_trees = &trees;
+  }
+  if (report) simulation.memory_observer = report->memory_observer();
+  const auto simulator = make_simulator(source.scene(), unit, simulation,
+                                        [&source](std::uint32_t index) { return source.first_from(index); });
+  memory.loaded();
+  if (report == nullptr) return {};
+  std::unique_ptr<ref::Golden> golden;
+  if (options.check) golden = std::make_unique<ref::Golden>(source.scene(), golden_settings(unit));
+
+  const FrameRun run(source, *simulator, unit, golden.get(), options, memory, *report);
+  RunResult result =
+      sampled ? run_sample(run, source, unit, simulation, options) : run_all(run, source.range(), options.quiet);
+  Manifest manifest = manifest_of(options.command, options.source.path, source);
+  manifest.checked = options.check;
+  manifest.simulation = options.simulation;
+  manifest.simulated_frames = result.simulated;
+  report->finish(result.sum, unit, manifest, golden ? &result.check : nullptr);
+  return result;
+}
+
 int run_command(const RunOptions& options) {
   const Configuration configuration = Configuration::of(options.config_files, options.assignments);
   const hw::UnitConfig& unit = configuration.unit();
@@ -201,34 +225,12 @@ int run_command(const RunOptions& options) {
   std::vector<std::string> log;
   MemoryMeter memory;
   const FrameSource source(options.source, log);
-  SimulationOptions simulation = options.simulation;
-  simulation.log_sink = [](const std::string& line) { fmt::print(stderr, "log: {}\n", line); };
-  const bool sampled = simulation.fidelity == Fidelity::sampled;
-  StaticTrees trees(source.scene());
-  if (sampled) {
-    simulation.fidelity = Fidelity::event;  // of the frames that are simulated
-    simulation.static_trees = &trees;
-  }
-  if (report) simulation.memory_observer = report->memory_observer();
-  const auto simulator = make_simulator(source.scene(), unit, simulation,
-                                        [&source](std::uint32_t index) { return source.first_from(index); });
-  memory.loaded();
+  const RunResult result = run_frames(options, unit, source, nullptr, memory, report.get());
   if (options.dry_run) {
     print_notes(log, options.quiet);
     print_dry_run(options, source);
     return exit_fine;
   }
-  std::unique_ptr<ref::Golden> golden;
-  if (options.check) golden = std::make_unique<ref::Golden>(source.scene(), golden_settings(unit));
-
-  const FrameRun run(source, *simulator, unit, golden.get(), options, memory, *report);
-  const RunResult result =
-      sampled ? run_sample(run, source, unit, simulation, options) : run_all(run, source.range(), options.quiet);
-  Manifest manifest = manifest_of(options.command, options.source.path, source);
-  manifest.checked = options.check;
-  manifest.simulation = options.simulation;
-  manifest.simulated_frames = result.simulated;
-  report->finish(result.sum, unit, manifest, golden ? &result.check : nullptr);
 
   print_notes(log, options.quiet);
   if (!options.quiet) {
@@ -240,12 +242,13 @@ int run_command(const RunOptions& options) {
     fmt::print("{}", format_summary({options.source.path, scene.width, scene.height, source.range().first,
                                      source.range().last, unit.clock_mhz},
                                     result.sum, energy ? &*energy : nullptr, limits));
-    if (sampled) fmt::print("{:<12}{} of {} frames simulated\n", "sample", result.simulated.size(), result.sum.frames);
+    if (!result.simulated.empty())
+      fmt::print("{:<12}{} of {} frames simulated\n", "sample", result.simulated.size(), result.sum.frames);
     if (!report->folder().empty()) fmt::print("{:<12}{}\n", "report", report->folder());
   }
-  if (golden && !(options.quiet && result.check.passed())) fmt::print("{}", describe(result.check));
+  if (options.check && !(options.quiet && result.check.passed())) fmt::print("{}", describe(result.check));
   if (!result.lawful) return exit_internal;
-  return golden && !result.check.passed() ? exit_mismatch : exit_fine;
+  return options.check && !result.check.passed() ? exit_mismatch : exit_fine;
 }
 
 }  // namespace artu::sim

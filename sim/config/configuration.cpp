@@ -53,7 +53,7 @@ void trim(std::string& text) {
 }
 
 /// The value as TOML, or else as a string without its quotes: `--set selective.magnitude=fixed`.
-toml::table parse_assignment(const std::string& path, const std::string& value) {
+toml::table parse_assignment(const std::string& path, const std::string& value, const std::string& place) {
   try {
     return toml::parse(path + " = " + value);
   } catch (const toml::parse_error&) {
@@ -62,7 +62,7 @@ toml::table parse_assignment(const std::string& path, const std::string& value) 
       if (c == '"' || c == '\\') quoted += '\\';
       if (static_cast<unsigned char>(c) >= 32) quoted += c;  // TOML strings hold no control characters
     }
-    return parse(path + " = \"" + quoted + "\"", "--set");
+    return parse(path + " = \"" + quoted + "\"", place);
   }
 }
 
@@ -82,12 +82,12 @@ void Configuration::load(const std::string& file) {
   assign(root, place, unit_, places_);
 }
 
-void Configuration::set(const std::string& assignment) {
+void Configuration::set(const std::string& assignment, const std::string& place) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos || assignment.find('\n') != std::string::npos) {
-    throw InputError("--set", fmt::format("\"{}\" is not an assignment; path=value would be right, for example "
-                                          "core.count=4",
-                                          one_line(assignment)));
+    throw InputError(place, fmt::format("\"{}\" is not an assignment; path=value would be right, for example "
+                                        "core.count=4",
+                                        one_line(assignment)));
   }
   std::string path = assignment.substr(0, equals), value = assignment.substr(equals + 1);
   trim(path);
@@ -95,10 +95,10 @@ void Configuration::set(const std::string& assignment) {
   const auto parameters = parameter_list();
   const bool known = std::any_of(parameters.begin(), parameters.end(), [&](const auto& p) { return p.path == path; });
   if (!known) {
-    throw InputError("--set", fmt::format("unknown parameter {}; did you mean {}?", path, nearest_parameter(path)));
+    throw InputError(place, fmt::format("unknown parameter {}; did you mean {}?", path, nearest_parameter(path)));
   }
   assign(
-      parse_assignment(path, value), [](const toml::node&) { return std::string("--set"); }, unit_, places_);
+      parse_assignment(path, value, place), [&place](const toml::node&) { return place; }, unit_, places_);
 }
 
 void Configuration::check() const { cross_check(unit_, places_); }

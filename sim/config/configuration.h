@@ -19,7 +19,8 @@ class Configuration {
   static Configuration of(const std::vector<std::string>& files, const std::vector<std::string>& assignments);
 
   void load(const std::string& file);       // TOML
-  void set(const std::string& assignment);  // "path=value"; the value as in TOML, quotes may be left out
+  /// "path=value"; the value as in TOML, quotes may be left out.  `place` is what an error names.
+  void set(const std::string& assignment, const std::string& place = "--set");
   void check() const;                       // the rules that tie two parameters together
   const hw::UnitConfig& unit() const { return unit_; }
 

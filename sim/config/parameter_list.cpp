@@ -23,28 +23,30 @@ class Lister : public PathVisitor {
   }
   void integer(const char* name, std::uint32_t& value, hw::IntegerRange range, const char* unit,
                const char* text) override {
-    parameters.push_back({path(name), integer_text(value), unit, range_text(range), text});
+    parameters.push_back(
+        {path(name), integer_text(value), unit, range_text(range), text, ParameterKind::integer, range.power_of_two});
   }
   void real(const char* name, float& value, hw::RealRange range, const char* unit, const char* text) override {
-    parameters.push_back({path(name), real_text(value), unit, range_text(range), text});
+    parameters.push_back({path(name), real_text(value), unit, range_text(range), text, ParameterKind::real});
   }
   void flag(const char* name, bool& value, const char* text) override {
-    parameters.push_back({path(name), flag_text(value), "", "true, false", text});
+    parameters.push_back({path(name), flag_text(value), "", "true, false", text, ParameterKind::flag});
   }
   void table(const char* name, hw::TableValues values, hw::IntegerRange range, const char* unit,
              const char* text) override {
-    parameters.push_back(
-        {path(name), table_text(values), unit, fmt::format("{} of {}", values.size, range_text(range)), text});
+    parameters.push_back({path(name), table_text(values), unit, fmt::format("{} of {}", values.size, range_text(range)),
+                          text, ParameterKind::table});
   }
   void choice(const char* name, unsigned& value, const std::vector<const char*>& names, const char* text) override {
-    parameters.push_back({path(name), choice_text(names.at(value)), "", range_text(names), text});
+    parameters.push_back(
+        {path(name), choice_text(names.at(value)), "", range_text(names), text, ParameterKind::choice});
   }
 };
 
-Lister list() {
-  hw::UnitConfig defaults;
+/// visit() hands out references to write to, hence the copy.
+Lister list(hw::UnitConfig unit = {}) {
   Lister lister;
-  defaults.visit(lister);
+  unit.visit(lister);
   return lister;
 }
 
@@ -52,7 +54,28 @@ std::string last_component(const std::string& path) { return path.substr(path.rf
 
 }  // namespace
 
+const char* kind_name(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::integer:
+      return "integer";
+    case ParameterKind::real:
+      return "real";
+    case ParameterKind::flag:
+      return "flag";
+    case ParameterKind::table:
+      return "table";
+    default:
+      return "choice";
+  }
+}
+
 std::vector<ParameterInfo> parameter_list() { return list().parameters; }
+
+std::vector<std::string> parameter_values(const hw::UnitConfig& unit) {
+  std::vector<std::string> values;
+  for (ParameterInfo& parameter : list(unit).parameters) values.push_back(std::move(parameter.default_value));
+  return values;
+}
 
 std::vector<std::string> parameter_groups() { return list().groups; }
 

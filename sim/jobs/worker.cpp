@@ -73,6 +73,7 @@ Answer answer_to(std::uint64_t task, const Worker::Work& work) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // a long task must not outlive a parent that was killed
 #endif
   if (getppid() != parent) _exit(0);
+  begin_forked_process();
   for (std::uint64_t task; receive_all(fd, &task, sizeof task);) {
     const Answer answer = answer_to(task, work);
     Header header;

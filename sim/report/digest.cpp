@@ -13,22 +13,44 @@
 
 namespace artu::sim {
 
+namespace {
+
+class Sha256 {
+ public:
+  Sha256() { check(context_ && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1); }
+  void add(const void* bytes, std::size_t count) { check(EVP_DigestUpdate(context_.get(), bytes, count) == 1); }
+  std::string text() {
+    unsigned char digest[EVP_MAX_MD_SIZE];
+    unsigned length = 0;
+    check(EVP_DigestFinal_ex(context_.get(), digest, &length) == 1);
+    std::string text;
+    for (unsigned i = 0; i < length; ++i) text += fmt::format("{:02x}", digest[i]);
+    return text;
+  }
+
+ private:
+  static void check(bool fine) {
+    if (!fine) throw std::runtime_error("SHA-256 failed");
+  }
+  const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context_{EVP_MD_CTX_new(), EVP_MD_CTX_free};
+};
+
+}  // namespace
+
 std::string sha256_of_file(const std::string& file) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"), std::fclose);
   if (!in) throw InputError(file, std::string("cannot read: ") + std::strerror(errno));
-  const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context(EVP_MD_CTX_new(), EVP_MD_CTX_free);
-  bool ok = context && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
+  Sha256 sum;
   char buffer[1 << 16];
-  while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, in.get())) {
-    ok = ok && EVP_DigestUpdate(context.get(), buffer, got) == 1;
-  }
+  while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, in.get())) sum.add(buffer, got);
   if (std::ferror(in.get())) throw InputError(file, std::string("cannot read: ") + std::strerror(errno));
-  unsigned char digest[EVP_MAX_MD_SIZE];
-  unsigned length = 0;
-  if (!ok || EVP_DigestFinal_ex(context.get(), digest, &length) != 1) throw std::runtime_error("SHA-256 failed");
-  std::string text;
-  for (unsigned i = 0; i < length; ++i) text += fmt::format("{:02x}", digest[i]);
-  return text;
+  return sum.text();
+}
+
+std::string sha256_of(std::string_view text) {
+  Sha256 sum;
+  sum.add(text.data(), text.size());
+  return sum.text();
 }
 
 }  // namespace artu::sim

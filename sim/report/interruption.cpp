@@ -19,10 +19,12 @@ struct Guarded {
 };
 
 /// Never destroyed: the waiting thread lives as long as the process.
-Guarded& guarded() {
-  static auto* const instance = new Guarded;
-  return *instance;
+Guarded*& instance() {
+  static auto* one = new Guarded;
+  return one;
 }
+
+Guarded& guarded() { return *instance(); }
 
 /// A thread of its own may use the file system, which a signal handler must not.
 [[noreturn]] void wait_for(const sigset_t& signals) {
@@ -58,6 +60,9 @@ void handle_interruptions() {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::thread([signals] { wait_for(signals); }).detach();
 }
+
+// The copy of the parent's mutex is locked, and nobody would unlock it.
+void begin_forked_process() { instance() = new Guarded; }
 
 RemoveOnInterrupt::RemoveOnInterrupt(std::string path) : path_(std::move(path)) {
   const std::lock_guard<std::mutex> lock(guarded().mutex);

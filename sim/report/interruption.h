@@ -12,6 +12,10 @@ namespace artu::sim {
 /// Call once, before any thread is started.
 void handle_interruptions();
 
+/// For a process that KillOnInterrupt's `fork` has made: forgets what its parent guards, which is the parent's to
+/// remove. Afterwards it may use what is below; signals stay blocked in it, so nothing of its own is removed either.
+void begin_forked_process();
+
 /// Guards a file or folder while it is incomplete.
 class RemoveOnInterrupt {
  public:
@@ -28,7 +32,8 @@ class RemoveOnInterrupt {
 class KillOnInterrupt {
  public:
   /// `fork` returns the process's number, below 0 if there is none.  No interruption comes between: in the process
-  /// itself, where `fork` must not return, nothing of this file may be used.
+  /// itself, where `fork` must not return, nothing of this file may be used before
+  /// begin_forked_process().
   explicit KillOnInterrupt(const std::function<pid_t()>& fork);
   ~KillOnInterrupt();
   KillOnInterrupt(const KillOnInterrupt&) = delete;

@@ -11,6 +11,7 @@ void add_import(CommandLine& line);
 void add_precision(CommandLine& line);
 void add_sampling(CommandLine& line);
 void add_scaling(CommandLine& line);
+void add_sweep(CommandLine& line);
 void add_quality(CommandLine& line);
 void add_bench(CommandLine& line);
 void add_report_page(CommandLine& line);
