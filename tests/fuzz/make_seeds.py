@@ -241,6 +241,43 @@ memory.l2.size=1MiB
     put("config", "flat", 'core.count = 16\nselective.policy = "contrast"\n')
 
 
+def grid_seeds():
+    put("grid", "product", """scenes = ["model.obj", { file = "model.gltf", frames = "0:2", size = "8x6", fps = 30 }]
+config = ["unit.toml"]
+set = ["selective.policy=fixed"]
+fidelity = "event"
+pictures = "none"
+invalid = "skip"
+objectives = ["cycles_per_frame", { figure = "fps", goal = "maximise" }]
+[screen]
+fidelity = "analytic"
+margin = 0.05
+[grid]
+core.count = [1, 2]
+memory.l2.size = ["128KiB", 262144]
+accel.static.kind = ["bvh2", "kd"]
+""")
+    put("grid", "list", """scenes = ["model.obj"]
+inject_fault = "dram:0"
+[[point]]
+core.count = 1
+[[point]]
+core.contexts = 8
+""")
+    put("grid", "samples", """scenes = ["model.obj"]
+fidelity = "sampled"
+seed = 3
+sample_share = "5%"
+[sobol]
+samples = 8
+seed = 1
+core.count = [1, 16]
+core.contexts = { values = [8, 16] }
+memory.l2.size = { low = "16KiB", high = "1MiB", scale = "log" }
+accel.static.kind = ["bvh2", "bvh4"]
+""")
+
+
 def run_seeds(artu):
     """A run of the smallest unit: every byte more is a byte less that a fuzzer tries."""
     with tempfile.TemporaryDirectory() as folder:
@@ -267,5 +304,6 @@ if __name__ == "__main__":
     obj_seeds()
     stage_seeds()
     config_seeds()
+    grid_seeds()
     if len(sys.argv) > 1:
         run_seeds(sys.argv[1])
