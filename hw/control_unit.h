@@ -56,6 +56,8 @@ class ControlUnit : public Block {
   void set_descriptor(Address descriptor) { descriptor_ = descriptor; }
   /// Told when a phase begins.
   void observe_phases(std::function<void(Phase, Cycle)> observer) { phase_observer_ = std::move(observer); }
+  /// From the present cycle on.
+  Phase phase() const { return phase_; }
   /// The cycle in which the frame was complete; `never` before.
   Cycle finished_at() const { return finished_at_; }
 

@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include "hw/watch/unit_watch.h"
+
 namespace artu::hw {
 
 namespace {
@@ -311,6 +313,7 @@ void RayTracingUnit::begin_frame(Address descriptor, PixelRecords* records) {
   dispatcher.observe(records);
   frame_writer.observe(records);
   for (auto& core : cores) core->shading.observe(records);
+  if (watch_) watch_->begin_frame();
   for (ClockDomain* domain : timeline_.domains) domain->begin_frame();
 }
 
@@ -326,11 +329,17 @@ FrameResult RayTracingUnit::end_frame() {
     sampler_->finish(result.cycles);
     result.timeline = sampler_->timeline();
   }
+  if (watch_) watch_->end_frame(result.cycles * unit_period_);
   clock.end_frame(result.cycles);
   dram_clock.end_frame(result.cycles * unit_period_ / dram_period_);
   result.statistics = statistics();
   check_laws(result, records_);
   return result;
+}
+
+void RayTracingUnit::watch(const std::vector<ActivitySink*>& sinks, const ActivityWindow& window) {
+  watch_ = std::make_unique<UnitWatch>(*this, sinks, window);
+  timeline_.observer = watch_.get();
 }
 
 Statistics RayTracingUnit::statistics() {

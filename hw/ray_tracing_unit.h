@@ -21,6 +21,10 @@
 
 namespace artu::hw {
 
+class ActivitySink;
+class UnitWatch;
+struct ActivityWindow;
+
 struct FrameResult {
   Cycle cycles = 0;  // of the unit's clock
   bool dead_locked = false;
@@ -45,6 +49,10 @@ class RayTracingUnit : public sc_core::sc_module {
   void keep_to_kernel_time(std::function<void()> at_end);
   void begin_frame(Address descriptor, PixelRecords* records);
   FrameResult end_frame();
+
+  /// `sinks`, which must outlive the unit, are told what goes on in the window of every frame from now on.
+  void watch(const std::vector<ActivitySink*>& sinks, const ActivityWindow& window);
+  std::uint32_t clock_mhz() const { return config_.clock_mhz; }
 
   /// Every number that the blocks count, in a fixed order.
   Statistics statistics();
@@ -114,6 +122,7 @@ class RayTracingUnit : public sc_core::sc_module {
   std::vector<Channel*> channels_;
   std::unique_ptr<ClockDomain> sampler_clock_;
   std::unique_ptr<Sampler> sampler_;
+  std::unique_ptr<UnitWatch> watch_;  // where somebody watches
 };
 
 }  // namespace artu::hw

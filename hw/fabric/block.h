@@ -63,6 +63,10 @@ class Block : public sc_core::sc_module {
   }
   /// What it did last.
   State state() const { return state_; }
+  /// What it does in a cycle for which it was ticked, or in a later one if it is not ticked before.
+  State state_in(Cycle cycle) const { return since_ <= cycle ? state_ : last_; }
+  /// The cycle in which what it does has changed, or will: not later than the one after its last tick.
+  Cycle state_since() const { return since_; }
   /// Instance path below the unit, such as "core0.traversal".
   std::string path() const;
   /// Which phases of the frame the block has a part in (bits of Phase); outside them waiting is idling.

@@ -136,6 +136,7 @@ void ClockDomain::step() {
       earliest->schedule();
       break;
     }
+    if (timeline_.observer != nullptr && tick != timeline_.now) timeline_.observer->settled(timeline_.now, tick);
     timeline_.now = tick;
     earliest->work();
     earliest->watch();

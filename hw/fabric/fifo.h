@@ -52,6 +52,8 @@ class Channel {
   std::uint32_t size() const { return tail_ - head_; }
   /// Pushes and pops so far: the watchdog looks whether any have been made.
   std::uint64_t moves() const { return std::uint64_t{head_} + tail_; }
+  std::uint32_t pops() const { return head_; }
+  std::uint32_t pushes() const { return tail_; }
   const Block* producer() const { return producer_; }
   const Block* consumer() const { return consumer_; }
 
@@ -134,6 +136,11 @@ class Fifo : public Channel {
     *flags_ |= flag_;
     consumer_domain_->wake(*consumer_, ready);
   }
+
+  /// For who watches: the token of the push with this number, from 0 on, and when it arrives.  Known while the token is
+  /// in the channel, and to the end of the cycle in which it is popped.
+  const Token& pushed(std::uint32_t number) const { return entries_[number & mask_].token; }
+  Cycle arrival(std::uint32_t number) const { return entries_[number & mask_].ready; }
 
   /// Consumer: whether a token has arrived.
   bool can_pop() const { return arrival_ <= *consumer_now_; }

@@ -18,6 +18,14 @@ inline constexpr std::uint64_t never = ~std::uint64_t{0};
 class Channel;
 class ClockDomain;
 
+/// Looks at the blocks and channels between two edges.
+class EdgeObserver {
+ public:
+  virtual ~EdgeObserver() = default;
+  /// All that happens at `edge` has happened, and nothing will before `next`.
+  virtual void settled(Tick edge, Tick next) = 0;
+};
+
 struct Timeline {
   Tick now = 0;         // the edge that is being worked on
   bool driven = false;  // a domain's process is running: wakes need no kernel event
@@ -27,6 +35,7 @@ struct Timeline {
   std::function<void()> at_end;  // called when a block or the watchdog has ended the frame; may be called twice
   std::vector<ClockDomain*> domains;
   std::vector<const Channel*> channels;
+  EdgeObserver* observer = nullptr;  // may be null; does not see the edge that ends the frame
 };
 
 }  // namespace artu::hw

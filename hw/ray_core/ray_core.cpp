@@ -79,6 +79,11 @@ RayCore::RayCore(sc_core::sc_module_name name, ClockDomain& domain, const UnitCo
   }
 }
 
+RayPaths RayCore::ray_paths() const {
+  return {&contexts_,  &primary_, &others_, &tested_, &hits_,      &misses_,     &shadows_, &surfaces_,
+          &next_rays_, &freed_,   &leaves_, &nodes_,  &triangles_, &attributes_, &texels_};
+}
+
 void RayCore::bind(Interconnect& interconnect, Fifo<PixelJob>& jobs, Fifo<PixelToken>& pixels, Fifo<TreeBuilt>* built) {
   const bool spills = config_.stack_overflow == StackOverflow::spill;
   if (spills) {

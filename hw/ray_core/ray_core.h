@@ -17,6 +17,14 @@
 
 namespace artu::hw {
 
+/// What shows where the rays of a core are.
+struct RayPaths {
+  const RayContexts* contexts;
+  const Fifo<Slot>*primary, *others, *tested, *hits, *misses, *shadows, *surfaces, *next_rays, *freed;
+  const Fifo<LeafTask>* leaves;
+  const MemoryLink *nodes, *triangles, *attributes, *texels;
+};
+
 class RayCore : public sc_core::sc_module {
  public:
   RayCore(sc_core::sc_module_name name, ClockDomain& domain, const UnitConfig& config, const FrameRegisters& registers,
@@ -28,6 +36,8 @@ class RayCore : public sc_core::sc_module {
 
   /// All channels inside, for reset and for the picture of a dead-lock.
   const std::vector<Channel*>& channels() const { return channels_; }
+
+  RayPaths ray_paths() const;
 
  private:
   const RayCoreConfig config_;

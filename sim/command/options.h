@@ -9,6 +9,7 @@
 #include "sim/report/memory_trace.h"
 #include "sim/report/picture_set.h"
 #include "sim/sampled/sequence.h"
+#include "sim/viewers/trace_set.h"
 
 namespace artu::sim {
 
@@ -29,6 +30,7 @@ struct RunOptions {
   bool folder_by_default = true;                // without `output`: a folder in runs/, or none
   std::string output, pixel_csv, memory_trace;  // "" = none given
   MemoryTraceFormat memory_trace_format = MemoryTraceFormat::dramsim3;
+  TraceOptions trace;                  // for viewers
   std::optional<PictureSet> pictures;  // of the report; none given: frame, decision, class
   bool dump_config = false, list_params = false, list_stats = false;
   std::uint32_t jobs = 1;  // processes

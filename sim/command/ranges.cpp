@@ -205,6 +205,32 @@ MemoryTraceFormat parse_memory_trace_format(const std::string& text) {
                    fmt::format("\"{}\" is no format; dramsim3, ramulator or ramulator2 would be right", text));
 }
 
+TraceRequest parse_trace(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const std::string kind = text.substr(0, equals);
+  for (const TraceKind known : trace_kinds) {
+    if (kind != trace_kind_name(known)) continue;
+    if (equals == std::string::npos) return {known, ""};
+    if (equals + 1 < text.size()) return {known, text.substr(equals + 1)};
+    throw InputError("--trace", fmt::format("\"{}\" names no file; {} or {}=FILE would be right", text, kind, kind));
+  }
+  std::string names;
+  for (const TraceKind known : trace_kinds) {
+    names += fmt::format("{}{}",
+                         names.empty()                 ? ""
+                         : known == trace_kinds.back() ? " or "
+                                                       : ", ",
+                         trace_kind_name(known));
+  }
+  throw InputError("--trace",
+                   fmt::format("\"{}\" is no kind of trace; {}, and =FILE after it, would be right", kind, names));
+}
+
+hw::Cycle parse_cycle(const std::string& option, const std::string& text) {
+  if (const auto cycle = parse_number<std::uint64_t>(text)) return *cycle;
+  throw InputError(option, fmt::format("\"{}\" is no cycle; an integer from 0 to 2^64 - 1 would be right", text));
+}
+
 double parse_percent(const std::string& option, const std::string& text) {
   if (!text.empty() && text.back() == '%') {
     const auto percent = parse_number<double>(text.substr(0, text.size() - 1));

@@ -1,5 +1,5 @@
 // Options that are more than a word: `--frames`, `--size`, `--seed`, `--inject-fault`, `--log`, `--bits`, `--trees`,
-// `--memory-trace-format`, `--pictures`, `--references`, `--shares`.
+// `--memory-trace-format`, `--trace`, `--pictures`, `--references`, `--shares`.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 #include "hw/unit_config.h"
 #include "sim/report/memory_trace.h"
 #include "sim/report/picture_set.h"
+#include "sim/viewers/trace_set.h"
 
 namespace artu::sim {
 
@@ -54,6 +55,12 @@ std::vector<double> parse_shares(const std::string& text);
 
 /// dramsim3, ramulator or ramulator2.  Throws InputError.
 MemoryTraceFormat parse_memory_trace_format(const std::string& text);
+
+/// "KIND" or "KIND=FILE", as in `--trace perfetto=frame.pftrace`.  Throws InputError.
+TraceRequest parse_trace(const std::string& text);
+
+/// A cycle of the unit.  Throws InputError in the name of the option.
+hw::Cycle parse_cycle(const std::string& option, const std::string& text);
 
 /// "5%" is 0.05: above 0, 100% at most.  Throws InputError in the name of the option.
 double parse_percent(const std::string& option, const std::string& text);

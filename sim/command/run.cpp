@@ -156,12 +156,30 @@ void check_sample(const RunOptions& options) {
   }
   SimulationOptions asked = options.simulation;
   if (!options.memory_trace.empty()) asked.memory_observer = [](hw::Cycle, const hw::MemoryRequest&) {};
+  if (!options.trace.requests.empty()) asked.watchers.push_back(nullptr);
   check_options(asked);
   if (options.pictures && options.pictures->has(Picture::animation)) {
     throw InputError("--pictures",
                      "with --fidelity sampled most frames of an animation are not there; others, or event, "
                      "would be right");
   }
+}
+
+/// A trace is of one frame, and of a cycle at least.
+void check_trace(const TraceOptions& trace, const FrameRange& range) {
+  if (trace.requests.empty()) return;
+  if (range.count() != 1) {
+    throw InputError("--trace", fmt::format("is of one frame, and there are {}; --frames {} would be right",
+                                            range.count(), range.first));
+  }
+  if (trace.window.from >= trace.window.to) {
+    throw InputError("--trace-to", fmt::format("{} is not behind --trace-from {}; a later cycle would be right",
+                                               trace.window.to, trace.window.from));
+  }
+}
+
+void print_traces(const TraceSet& traces) {
+  for (const std::string& line : traces.summary()) fmt::print("{:<12}{}\n", "trace", line);
 }
 
 void print_dry_run(const RunOptions& options, const FrameSource& source) {
@@ -183,7 +201,11 @@ RunResult run_frames(const RunOptions& options, const hw::UnitConfig& unit, cons
     simulation.fidelity = Fidelity::event;  // of the frames that are simulated
     if (shared_trees == nullptr) simulation.static_trees = &trees;
   }
-  if (report) simulation.memory_observer = report->memory_observer();
+  if (report) {
+    simulation.memory_observer = report->memory_observer();
+    simulation.watchers = report->watchers();
+    simulation.window = options.trace.window;
+  }
   const auto simulator = make_simulator(source.scene(), unit, simulation,
                                         [&source](std::uint32_t index) { return source.first_from(index); });
   memory.loaded();
@@ -225,6 +247,7 @@ int run_command(const RunOptions& options) {
   std::vector<std::string> log;
   MemoryMeter memory;
   const FrameSource source(options.source, log);
+  check_trace(options.trace, source.range());
   const RunResult result = run_frames(options, unit, source, nullptr, memory, report.get());
   if (options.dry_run) {
     print_notes(log, options.quiet);
@@ -232,6 +255,10 @@ int run_command(const RunOptions& options) {
     return exit_fine;
   }
 
+  if (report->traces().empty()) {
+    log.push_back(fmt::format("--trace-from {} is behind the frame's {} cycles: the trace is empty",
+                              options.trace.window.from, result.sum.cycles));
+  }
   print_notes(log, options.quiet);
   if (!options.quiet) {
     const traces::Scene& scene = source.scene();
@@ -242,8 +269,10 @@ int run_command(const RunOptions& options) {
     fmt::print("{}", format_summary({options.source.path, scene.width, scene.height, source.range().first,
                                      source.range().last, unit.clock_mhz},
                                     result.sum, energy ? &*energy : nullptr, limits));
-    if (!result.simulated.empty())
+    if (!result.simulated.empty()) {
       fmt::print("{:<12}{} of {} frames simulated\n", "sample", result.simulated.size(), result.sum.frames);
+    }
+    print_traces(report->traces());
     if (!report->folder().empty()) fmt::print("{:<12}{}\n", "report", report->folder());
   }
   if (options.check && !(options.quiet && result.check.passed())) fmt::print("{}", describe(result.check));

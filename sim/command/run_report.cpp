@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "sim/config/dump.h"
 #include "sim/report/digest.h"
 #include "sim/report/pixel_csv.h"
@@ -36,6 +38,9 @@ RunReport::RunReport(const RunOptions& options) : several_processes_(options.job
   if (several_processes_ && !options.memory_trace.empty()) {
     throw InputError("--memory-trace", "is written in the order of the requests; without --jobs would be right");
   }
+  if (several_processes_ && !options.trace.requests.empty()) {
+    throw InputError("--trace", "is of one frame, which one process simulates; without --jobs would be right");
+  }
   if (several_processes_ && !options.simulation.log.empty()) {
     throw InputError("--log", "the lines of several frames would mingle; without --jobs would be right");
   }
@@ -61,9 +66,31 @@ RunReport::RunReport(const RunOptions& options) : several_processes_(options.job
     throw InputError("--timeline", "there is no folder for it; -o DIR as well would be right");
   }
   set_ = options.pictures.value_or(PictureSet{Picture::frame, Picture::decision, Picture::hit_class});
-  if (!folder_) return;
-  json_ = std::make_unique<StatsJson>(folder_->file("stats.json"));
-  if (options.simulation.timeline) timeline_ = std::make_unique<TimelineJson>(folder_->file("timeline.json"));
+  if (folder_) {
+    json_ = std::make_unique<StatsJson>(folder_->file("stats.json"));
+    if (options.simulation.timeline) timeline_ = std::make_unique<TimelineJson>(folder_->file("timeline.json"));
+  }
+  open_traces(options);
+}
+
+void RunReport::open_traces(const RunOptions& options) {
+  std::vector<std::string> names{options.pixel_csv, options.memory_trace};
+  for (const TraceRequest& request : options.trace.requests) {
+    std::string file = request.file, shown = request.file;
+    if (file.empty()) {
+      if (!folder_)
+        throw InputError("--trace", fmt::format("there is no folder for it; {}=FILE, or -o DIR as well, would be right",
+                                                trace_kind_name(request.kind)));
+      file = folder_->file(trace_file_name(request.kind));
+      shown = folder_->name() + "/" + trace_file_name(request.kind);
+    }
+    if (std::find(names.begin(), names.end(), file) != names.end()) {
+      throw InputError("--trace",
+                       fmt::format("{} is another file of this run as well; another name would be right", shown));
+    }
+    names.push_back(file);
+    traces_.add(request.kind, file, shown, options.force, options.source.path);
+  }
 }
 
 void RunReport::begin_pictures(std::uint32_t frames, double fps) {
@@ -102,6 +129,7 @@ void RunReport::add(const FrameReport& frame, const hw::UnitConfig& unit) {
 
 void RunReport::finish(const Totals& sum, const hw::UnitConfig& unit, const Manifest& manifest,
                        const CheckResult* check) {
+  traces_.close();  // into the folder, if that is where they are
   if (folder_) {
     pictures_->finish();
     if (timeline_) timeline_->finish();

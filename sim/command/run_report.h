@@ -16,6 +16,7 @@
 #include "sim/report/run_folder.h"
 #include "sim/report/stats_json.h"
 #include "sim/report/timeline_json.h"
+#include "sim/viewers/trace_set.h"
 
 namespace artu::sim {
 
@@ -63,15 +64,22 @@ class RunReport {
   void add(const FrameReport& frame, const hw::UnitConfig& unit);
   /// For the simulator whose frames are added; must not outlive the report.
   hw::MemoryObserver memory_observer() { return memory_trace_ ? memory_trace_->observer() : hw::MemoryObserver{}; }
+  /// The same.
+  std::vector<hw::ActivitySink*> watchers() const { return traces_.sinks(); }
+  /// What --trace has written, for the summary; after finish().
+  const TraceSet& traces() const { return traces_; }
   void finish(const Totals& sum, const hw::UnitConfig& unit, const Manifest& manifest, const CheckResult* check);
   /// "" where none was asked for.
   std::string folder() const { return folder_ ? folder_->name() : ""; }
 
  private:
+  void open_traces(const RunOptions& options);
+
   std::optional<RunFolder> folder_;
   std::unique_ptr<AtomicFile> csv_;
   const bool several_processes_;
   std::unique_ptr<MemoryTrace> memory_trace_;
+  TraceSet traces_;
   std::unique_ptr<StatsJson> json_;
   std::unique_ptr<TimelineJson> timeline_;
   PictureSet set_;

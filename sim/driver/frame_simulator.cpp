@@ -19,6 +19,7 @@ void check_options(const SimulationOptions& options) {
   refuse(!options.log.empty(), "--log", "is about blocks");
   refuse(options.timeline, "--timeline", "is about cycles");
   refuse(bool{options.memory_observer}, "--memory-trace", "is about requests in their order");
+  refuse(!options.watchers.empty(), "--trace", "is about cycles");
   refuse(options.fault.datapath != hw::Datapath::none, "--inject-fault", "is about blocks");
 }
 

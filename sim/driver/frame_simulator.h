@@ -9,6 +9,7 @@
 #include "hw/memory/dram.h"
 #include "hw/run_mode.h"
 #include "hw/unit_config.h"
+#include "hw/watch/activity.h"
 #include "sim/driver/dynamic_trees.h"
 #include "sim/driver/frame_outcome.h"
 #include "sim/driver/static_trees.h"
@@ -19,14 +20,16 @@ namespace artu::sim {
 /// How the model is run; only `fault` changes a pixel; `fidelity`, `random_stall` and `fault` change cycles.
 struct SimulationOptions {
   Fidelity fidelity = Fidelity::event;
-  bool random_stall = false;            // random extra latency on every channel
-  bool shuffle_ticks = false;           // random order of blocks within each cycle
-  std::uint64_t seed = 1;               // of the two above
-  std::vector<hw::LogRule> log;         // which blocks write to the log
-  hw::LogSink log_sink;                 // where to; needed where there is a rule
-  hw::Fault fault;                      // a datapath's result is falsified, to show that a check sees it
-  bool timeline = false;                // what happens when is recorded, and how many nodes rays visit
-  hw::MemoryObserver memory_observer;   // told of every request that reaches the DRAM
+  bool random_stall = false;                // random extra latency on every channel
+  bool shuffle_ticks = false;               // random order of blocks within each cycle
+  std::uint64_t seed = 1;                   // of the two above
+  std::vector<hw::LogRule> log;             // which blocks write to the log
+  hw::LogSink log_sink;                     // where to; needed where there is a rule
+  hw::Fault fault;                          // a datapath's result is falsified, to show that a check sees it
+  bool timeline = false;                    // what happens when is recorded, and how many nodes rays visit
+  hw::MemoryObserver memory_observer;       // told of every request that reaches the DRAM
+  std::vector<hw::ActivitySink*> watchers;  // told what goes on in the window of every frame
+  hw::ActivityWindow window;
   StaticTrees* static_trees = nullptr;  // of the scene, where several simulators share them; must outlive them
 };
 

@@ -54,6 +54,7 @@ struct Simulator::Impl {
         builder(scene, config, std::move(frames), image, options.static_trees),
         unit("unit", config, mode_of(options), image, options.fault) {
     dynamic_cast<hw::Dram&>(unit.dram).observe(options.memory_observer);
+    if (!options.watchers.empty()) unit.watch(options.watchers, options.window);
   }
 
   /// A rule of the log that fits no block is a mistake of whoever wrote it.

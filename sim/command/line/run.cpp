@@ -33,6 +33,29 @@ void declare(CLI::App& command, RunOptions& run) {
       ->option_text("NAME")
       ->needs(trace)
       ->group("Output");
+  auto* viewers = command.add_option_function<std::vector<std::string>>(
+      "--trace",
+      [&run](const std::vector<std::string>& requests) {
+        for (const std::string& request : requests) run.trace.requests.push_back(parse_trace(request));
+      },
+      "Write what every block does in a frame, for a viewer: perfetto; without FILE into the run's folder; may be "
+      "repeated (docs/viewers.md)");
+  viewers->option_text("KIND[=FILE]")->allow_extra_args(false)->group("Output");
+  command
+      .add_option_function<std::string>(
+          "--trace-from",
+          [&run](const std::string& cycle) { run.trace.window.from = parse_cycle("--trace-from", cycle); },
+          "The first cycle of the trace; default 0")
+      ->option_text("CYCLE")
+      ->needs(viewers)
+      ->group("Output");
+  command
+      .add_option_function<std::string>(
+          "--trace-to", [&run](const std::string& cycle) { run.trace.window.to = parse_cycle("--trace-to", cycle); },
+          "The cycle before which it ends; default: the end of the frame")
+      ->option_text("CYCLE")
+      ->needs(viewers)
+      ->group("Output");
   command.add_flag("--force", run.force, "Replace an earlier run's folder, or an existing FILE")->group("Output");
   command.add_flag("--quiet", run.quiet, "No summary, no notes, no progress bar")->group("Output");
   command.add_flag("--list-stats", run.list_stats, "Print the names of all reported numbers, and end")->group("Output");
