@@ -4,17 +4,19 @@
 
 #include <algorithm>
 
+#include "sim/viewers/konata.h"
 #include "sim/viewers/perfetto.h"
+#include "sim/viewers/vcd.h"
 
 namespace artu::sim {
 
 const char* trace_kind_name(TraceKind kind) {
-  static constexpr const char* names[] = {"perfetto"};
+  static constexpr const char* names[] = {"perfetto", "konata", "vcd"};
   return names[static_cast<std::size_t>(kind)];
 }
 
 const char* trace_file_name(TraceKind kind) {
-  static constexpr const char* names[] = {"trace.pftrace"};
+  static constexpr const char* names[] = {"trace.pftrace", "trace.kanata", "trace.vcd"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -24,6 +26,12 @@ void TraceSet::add(TraceKind kind, const std::string& file, const std::string& s
   switch (kind) {
     case TraceKind::perfetto:
       writer = std::make_unique<PerfettoTrace>(file, force, title);
+      break;
+    case TraceKind::konata:
+      writer = std::make_unique<KonataTrace>(file, force);
+      break;
+    case TraceKind::vcd:
+      writer = std::make_unique<VcdTrace>(file, force);
       break;
   }
   traces_.push_back({kind, shown, std::move(writer)});

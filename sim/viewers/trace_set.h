@@ -10,8 +10,8 @@
 
 namespace artu::sim {
 
-enum class TraceKind : std::uint8_t { perfetto };
-inline constexpr std::array trace_kinds = {TraceKind::perfetto};
+enum class TraceKind : std::uint8_t { perfetto, konata, vcd };
+inline constexpr std::array trace_kinds = {TraceKind::perfetto, TraceKind::konata, TraceKind::vcd};
 
 const char* trace_kind_name(TraceKind kind);
 /// What a trace of this kind is called in a run's folder.

@@ -39,45 +39,50 @@ class ViewersTest : public ProgramTest {
   }
 };
 
-class PerfettoTest : public ViewersTest {
- protected:
-  std::string whole(const std::string& scene, std::vector<std::string> more) const {
-    more.insert(more.end(), {"--trace", "perfetto"});
+TEST_F(ViewersTest, ReadersFindTheWholeFrameRight) {
+  const auto whole = [this](const std::string& scene, std::vector<std::string> more) {
+    more.insert(more.end(), {"--trace", "perfetto", "--trace", "konata", "--trace", "vcd"});
     run(scene, more);
-    return read_by("perfetto.py", "out/trace.pftrace", true);
-  }
-};
-
-TEST_F(PerfettoTest, SlicesAddUpCountersFitAndFlowsEnd) {
-  EXPECT_THAT(whole("tiny.obj", tiny({})), HasSubstr("65 blocks, 206 channels"));
+    return read_by("perfetto.py", "out/trace.pftrace", true) + read_by("konata.py", "out/trace.kanata", true) +
+           read_by("vcd.py", "out/trace.vcd", true);
+  };
+  EXPECT_THAT(whole("tiny.obj", tiny({})),
+              AllOf(HasSubstr("65 blocks, 206 channels"), HasSubstr("65 blocks, 272 variables")));
   whole("tiny.obj", tiny({"--set", "unit.clock_mhz=533", "--set", "core.count=2"}));
   whole("tiny.obj", tiny({"--random-stall", "--set", "memory.l2_banks=4"}));
   whole(samples + "scene.artu", {"--frames", "1", "--set", "core.stack_entries=8", "--set", "core.stack_overflow=spill",
                                  "--set", "selective.overlap=true", "--set", "tree_builder.overlap=true"});
 }
 
-TEST_F(PerfettoTest, EventAndClockedGiveTheSameBytes) {
+TEST_F(ViewersTest, EventAndClockedGiveTheSameBytes) {
   for (const std::vector<std::string>& more :
        {std::vector<std::string>{}, {"--random-stall"}, {"--trace-from", "1000", "--trace-to", "2345"}}) {
-    std::vector<std::string> args = tiny({"--trace", "perfetto=event", "--set", "unit.clock_mhz=533"});
+    std::vector<std::string> args =
+        tiny({"--set", "unit.clock_mhz=533", "--trace", "perfetto", "--trace", "konata", "--trace", "vcd"});
     args.insert(args.end(), more.begin(), more.end());
     run("tiny.obj", args);
-    args[3] = "perfetto=clocked";
+    std::vector<std::string> event;
+    for (const char* name : {"pftrace", "kanata", "vcd"}) event.push_back(read(std::string("out/trace.") + name));
     args.insert(args.end(), {"--fidelity", "clocked"});
     run("tiny.obj", args);
-    EXPECT_TRUE(read("event") == read("clocked"));
+    std::vector<std::string> clocked;
+    for (const char* name : {"pftrace", "kanata", "vcd"}) clocked.push_back(read(std::string("out/trace.") + name));
+    EXPECT_TRUE(event == clocked);
   }
 }
 
-TEST_F(PerfettoTest, AWindowHasTheRaysThatAreInFlightInIt) {
-  const std::string out = run(samples + "mirror_cube.artu",
-                              {"--frames", "0", "--trace", "perfetto", "--trace-from", "8000", "--trace-to", "9000"});
+TEST_F(ViewersTest, AWindowHasTheRaysThatAreInFlightInIt) {
+  const std::string out =
+      run(samples + "mirror_cube.artu", {"--frames", "0", "--trace", "perfetto", "--trace", "konata", "--trace", "vcd",
+                                         "--trace-from", "8000", "--trace-to", "9000"});
   EXPECT_THAT(out, HasSubstr("out/trace.pftrace: perfetto, 1000 cycles"));
   EXPECT_THAT(read_by("perfetto.py", "out/trace.pftrace", false),
               AllOf(HasSubstr("65 blocks"), Not(HasSubstr(" 0 flows"))));
+  EXPECT_THAT(read_by("konata.py", "out/trace.kanata", false), Not(HasSubstr(" 0 flushed")));
+  read_by("vcd.py", "out/trace.vcd", false);
 }
 
-TEST_F(PerfettoTest, ProtocReadsIt) {
+TEST_F(ViewersTest, ProtocReadsPerfetto) {
   if (program("/usr/bin/env", {"protoc", "--version"}).code != 0) GTEST_SKIP() << "skipped: no protobuf-compiler";
   run("tiny.obj", tiny({"--trace", "perfetto=frame.pftrace", "--trace-to", "400"}));
   const Finished decoded = program("/bin/sh", {"-c", "protoc --decode_raw <frame.pftrace"});
@@ -85,11 +90,26 @@ TEST_F(PerfettoTest, ProtocReadsIt) {
   EXPECT_THAT(decoded.out, AllOf(HasSubstr("2: \"stall_mem\""), HasSubstr("2: \"core5\""), HasSubstr("8: 400000")));
 }
 
+TEST_F(ViewersTest, TheWaveformProgramsReadTheVcd) {
+  if (program("/bin/sh", {"-c", "command -v vcd2fst && command -v fst2vcd"}).code != 0) {
+    GTEST_SKIP() << "skipped: no gtkwave";
+  }
+  run("tiny.obj", tiny({"--trace", "vcd"}));
+  const Finished converted =
+      program("/bin/sh", {"-c", "vcd2fst out/trace.vcd trace.fst && fst2vcd -f trace.fst -o back.vcd"});
+  EXPECT_EQ(converted.code, 0) << converted.out << converted.err;
+  const Finished reader = program("/usr/bin/env", {"python3", "-B", ARTU_SOURCE_DIR "/tests/end_to_end/vcd.py",
+                                                   "out/trace.vcd", "out/stats.json", "1", "back.vcd"});
+  EXPECT_EQ(reader.code, 0) << reader.out << reader.err;
+}
+
 TEST_F(ViewersTest, AWindowBehindTheFrameIsEmptyAndSaysSo) {
   const Finished late = fine({"run", "tiny.obj", "--size", "40x30", "-o", "out", "--trace", "perfetto", "--trace-from",
-                              "100000000", "--trace-to", "100000001"});
+                              "100000000", "--trace", "konata", "--trace", "vcd", "--trace-to", "100000001"});
   EXPECT_THAT(late.err, HasSubstr("note: --trace-from 100000000 is behind the frame's "));
   read_by("perfetto.py", "out/trace.pftrace", false);
+  read_by("konata.py", "out/trace.kanata", false);
+  read_by("vcd.py", "out/trace.vcd", false);
 }
 
 TEST_F(ViewersTest, ChangesNothingElse) {
@@ -111,7 +131,7 @@ TEST_F(ViewersTest, BadRequestsAreRefused) {
     EXPECT_THAT(refused(args), HasSubstr(text));
     EXPECT_EQ(content(), before);
   };
-  refuses({"--trace", "waves"}, "\"waves\" is no kind of trace; perfetto");
+  refuses({"--trace", "waves"}, "\"waves\" is no kind of trace; perfetto, konata or vcd");
   refuses({"--trace", "perfetto="}, "names no file");
   refuses({"--trace", "perfetto=old"}, "--force");
   refuses({"--trace", "perfetto=none/x"}, "none/x");
