@@ -26,7 +26,8 @@ UnitWatch::UnitWatch(RayTracingUnit& unit, std::vector<ActivitySink*> sinks, con
       from_(tick_of(window.from, unit.clock.period())),
       to_(tick_of(window.to, unit.clock.period())) {
   const Timeline& timeline = unit.clock.timeline();
-  for (const ClockDomain* domain : timeline.domains) {
+  // Not the sampler's domain: it is no part of the unit.
+  for (const ClockDomain* domain : {&unit.clock, &unit.dram_clock}) {
     for (const Block* block : domain->blocks()) {
       blocks_.push_back({block, domain->period()});
       layout_.blocks.push_back({block->path(), domain->period()});

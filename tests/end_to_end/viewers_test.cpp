@@ -54,6 +54,16 @@ TEST_F(ViewersTest, ReadersFindTheWholeFrameRight) {
                                  "--set", "selective.overlap=true", "--set", "tree_builder.overlap=true"});
 }
 
+TEST_F(ViewersTest, ATimelineOfTheSameRunChangesNothing) {
+  std::vector<std::string> args = tiny({"--trace", "perfetto", "--trace", "vcd"});
+  run("tiny.obj", args);
+  const std::string perfetto = read("out/trace.pftrace"), vcd = read("out/trace.vcd");
+  args.push_back("--timeline");  // its sampler is no block of the unit
+  run("tiny.obj", args);
+  EXPECT_TRUE(perfetto == read("out/trace.pftrace"));
+  EXPECT_TRUE(vcd == read("out/trace.vcd"));
+}
+
 TEST_F(ViewersTest, EventAndClockedGiveTheSameBytes) {
   for (const std::vector<std::string>& more :
        {std::vector<std::string>{}, {"--random-stall"}, {"--trace-from", "1000", "--trace-to", "2345"}}) {
