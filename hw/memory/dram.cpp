@@ -111,7 +111,8 @@ void Dram::report(Statistics& out) const {
   out.push_back({block, "row_empty", sum.row_empty, "", "accesses to a bank without an open row"});
   out.push_back({block, "forwarded", sum.forwarded, "", "reads answered by a waiting write of the line"});
   out.push_back({block, "bus_clocks", sum.bus_clocks, "DRAM clocks", "data buses occupied, all channels"});
-  out.push_back({block, "read_clocks", sum.read_clocks, "DRAM clocks", "from taking a read to its last data, all reads"});
+  out.push_back(
+      {block, "read_clocks", sum.read_clocks, "DRAM clocks", "from taking a read to its last data, all reads"});
   out.push_back({block, "activates", sum.activates, "", "rows opened"});
   out.push_back({block, "precharges", sum.precharges, "", "rows closed, by refreshes too"});
   out.push_back({block, "refreshes", sum.refreshes, "", "refresh commands that a later access met"});

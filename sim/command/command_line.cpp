@@ -21,13 +21,25 @@ constexpr const char* check = "Check the model";
 constexpr const char* input = "Prepare input";
 constexpr const char* shell = "Set up a shell";
 
-// clang-format off: a line each
+// A line each.
+// clang-format off
 constexpr Command commands[] = {
-    {simulate, add_run},    {look, add_report_page},  {look, add_explain},   {explore, add_scaling},
+    {simulate, add_run},
+    {look, add_report_page},
+    {look, add_explain},
+    {explore, add_scaling},
     {explore, add_sweep},
-    {explore, add_quality}, {explore, add_precision}, {check, add_check},    {check, add_diff},
-    {check, add_stress},    {check, add_torture},     {check, add_sampling}, {check, add_bench},
-    {input, add_import},    {shell, add_completion},  {shell, add_man},
+    {explore, add_quality},
+    {explore, add_precision},
+    {check, add_check},
+    {check, add_diff},
+    {check, add_stress},
+    {check, add_torture},
+    {check, add_sampling},
+    {check, add_bench},
+    {input, add_import},
+    {shell, add_completion},
+    {shell, add_man},
 };
 // clang-format on
 

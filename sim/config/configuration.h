@@ -18,10 +18,10 @@ class Configuration {
   /// Files, then assignments, then the check.
   static Configuration of(const std::vector<std::string>& files, const std::vector<std::string>& assignments);
 
-  void load(const std::string& file);       // TOML
+  void load(const std::string& file);  // TOML
   /// "path=value"; the value as in TOML, quotes may be left out.  `place` is what an error names.
   void set(const std::string& assignment, const std::string& place = "--set");
-  void check() const;                       // the rules that tie two parameters together
+  void check() const;  // the rules that tie two parameters together
   const hw::UnitConfig& unit() const { return unit_; }
 
  private:

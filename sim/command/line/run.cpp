@@ -38,8 +38,8 @@ void declare(CLI::App& command, RunOptions& run) {
       [&run](const std::vector<std::string>& requests) {
         for (const std::string& request : requests) run.trace.requests.push_back(parse_trace(request));
       },
-      "Write what every block does in a frame, for a viewer: perfetto, konata or vcd; without FILE into the run's folder; may be "
-      "repeated (docs/viewers.md)");
+      "Write what every block does in a frame, for a viewer: perfetto, konata or vcd; without FILE into the run's "
+      "folder; may be repeated (docs/viewers.md)");
   viewers->option_text("KIND[=FILE]")->allow_extra_args(false)->group("Output");
   command
       .add_option_function<std::string>(

@@ -13,7 +13,8 @@ std::string joined(const std::vector<std::string>& words) {
 
 /// What is the same for every command.  The line is split at blanks by hand: bash also splits at = and :, which are
 /// inside our words.
-// clang-format off: it takes a raw string for C++
+// Not for clang-format: the text is shell, not C++.
+// clang-format off
 constexpr const char* functions = R"bash(
 _artu_words() {  # words that begin with $current
   mapfile -t COMPREPLY < <(compgen -W "$1" -- "$current")

@@ -55,9 +55,14 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   if (seed / 4096 % 16 == 0) {  // chunks in another order, twice or missing
     const std::size_t other = seed / 65536 % frames.size();
     switch (seed / 16777216 % 3) {
-      case 0: std::swap(frames[at], frames[other]); break;
-      case 1: frames.insert(frames.begin() + static_cast<std::ptrdiff_t>(at), Bytes(frames[other])); break;
-      default: frames.erase(frames.begin() + static_cast<std::ptrdiff_t>(at));
+      case 0:
+        std::swap(frames[at], frames[other]);
+        break;
+      case 1:
+        frames.insert(frames.begin() + static_cast<std::ptrdiff_t>(at), Bytes(frames[other]));
+        break;
+      default:
+        frames.erase(frames.begin() + static_cast<std::ptrdiff_t>(at));
     }
   } else {
     Bytes content = expanded(frames[at].data(), frames[at].size());
