@@ -34,6 +34,7 @@ int scaling_command(const ScalingOptions& options);
 int quality_command(const QualityOptions& options);
 int precision_command(const PrecisionOptions& options);
 int explain_command(const ExplainOptions& options);
+int reuse_command(const ReuseOptions& options);
 int bench_command(const BenchOptions& options);
 int sampling_command(const SamplingOptions& options);
 int report_command(const ReportOptions& options);

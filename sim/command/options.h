@@ -60,6 +60,16 @@ struct ScalingOptions {
   std::vector<std::string> command;  // the words of the command line
 };
 
+struct ReuseOptions {
+  SourceOptions source;
+  std::vector<std::string> config_files, assignments;
+  std::uint32_t jobs = 1;        // processes
+  std::uint64_t window = 10000;  // cycles, of the working set
+  std::string output;            // "" = none given
+  bool force = false, quiet = false;
+  std::vector<std::string> command;  // the words of the command line
+};
+
 struct ExplainOptions {
   SourceOptions source;  // `path` may be a run's folder
   std::vector<std::string> config_files, assignments;

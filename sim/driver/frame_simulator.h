@@ -10,6 +10,7 @@
 #include "hw/run_mode.h"
 #include "hw/unit_config.h"
 #include "hw/watch/activity.h"
+#include "hw/watch/request_sink.h"
 #include "sim/driver/dynamic_trees.h"
 #include "sim/driver/frame_outcome.h"
 #include "sim/driver/static_trees.h"
@@ -30,7 +31,8 @@ struct SimulationOptions {
   hw::MemoryObserver memory_observer;       // told of every request that reaches the DRAM
   std::vector<hw::ActivitySink*> watchers;  // told what goes on in the window of every frame
   hw::ActivityWindow window;
-  StaticTrees* static_trees = nullptr;  // of the scene, where several simulators share them; must outlive them
+  hw::RequestSink* request_sink = nullptr;  // told what the caches are asked for; not together with watchers
+  StaticTrees* static_trees = nullptr;      // of the scene, where several simulators share them; must outlive them
 };
 
 /// The watchdog found that no token moves; what() is the picture of who waits for whom.  Exit code 3.

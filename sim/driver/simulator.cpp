@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 
+#include "hw/watch/request_watch.h"
 #include "sim/driver/image_builder.h"
 #include "sim/driver/stack_check.h"
 #include "traces/error.h"
@@ -54,7 +56,11 @@ struct Simulator::Impl {
         builder(scene, config, std::move(frames), image, options.static_trees),
         unit("unit", config, mode_of(options), image, options.fault) {
     dynamic_cast<hw::Dram&>(unit.dram).observe(options.memory_observer);
+    if (!options.watchers.empty() && options.request_sink != nullptr) {
+      throw std::logic_error("a unit has one observer: watchers, or a sink of the caches' requests");
+    }
     if (!options.watchers.empty()) unit.watch(options.watchers, options.window);
+    if (options.request_sink != nullptr) requests = std::make_unique<hw::RequestWatch>(unit, *options.request_sink);
   }
 
   /// A rule of the log that fits no block is a mistake of whoever wrote it.
@@ -78,6 +84,7 @@ struct Simulator::Impl {
   ImageBuilder builder;
   Context context;
   hw::RayTracingUnit unit;
+  std::unique_ptr<hw::RequestWatch> requests;  // where somebody wants to know
 };
 
 Simulator::Simulator(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options,
@@ -94,6 +101,7 @@ FrameOutcome Simulator::run(const traces::Frame& frame) {
   const hw::Address descriptor = impl.builder.add(frame);
   check_stack(impl.scene.name, frame.index, impl.builder.stack_needed(), impl.config.core);
 
+  if (impl.requests) impl.requests->begin_frame();
   hw::PixelRecords pixels(std::size_t{impl.scene.width} * impl.scene.height);
   const auto before = std::chrono::steady_clock::now();
   hw::FrameResult result = impl.unit.run(descriptor, &pixels);

@@ -16,6 +16,7 @@ void add_quality(CommandLine& line);
 void add_bench(CommandLine& line);
 void add_report_page(CommandLine& line);
 void add_explain(CommandLine& line);
+void add_reuse(CommandLine& line);
 void add_diff(CommandLine& line);
 void add_stress(CommandLine& line);
 void add_torture(CommandLine& line);
