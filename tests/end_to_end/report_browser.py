@@ -138,6 +138,28 @@ def sweep(browser, file):
     expect(browser.complaints() == [], f"no errors after all that: {browser.complaints()}")
 
 
+OUTSIDE = """(() => {
+  const svg = document.querySelector('#parallel svg').getBoundingClientRect();
+  return [...document.querySelectorAll('#parallel svg text')].map((t) => [t.textContent, t.getBoundingClientRect()])
+    .filter(([, b]) => b.left < svg.left - 1 || b.right > svg.right + 1).map(([text]) => text);
+})()"""
+
+
+def swept(browser, file):
+    """Of a sweep that `artu sweep` has made: 2 x 3 points."""
+    browser.open(file)
+    expect(browser.evaluate("document.querySelectorAll('#points tbody tr').length") == 6, "a row a point")
+    lines = browser.evaluate("document.querySelectorAll('#parallel svg > path').length")
+    expect(lines == 6, f"a line a point: {lines}")
+    expect(browser.evaluate("document.querySelectorAll('#front circle.front').length") >= 1, "a front")
+    effects = browser.evaluate("[...document.querySelectorAll('#effects h3')].map((e) => e.textContent.split(':')[0]).sort()")
+    expect(effects == ["accel.static.kind", "core.count"], f"the effect of each parameter: {effects}")
+    for width in (1280, 360):
+        browser.open(file, width=width)
+        expect(browser.evaluate(OUTSIDE) == [], f"{width} px: nothing beside the axes is cut: {browser.evaluate(OUTSIDE)}")
+    expect(browser.complaints() == [], f"no errors after all that: {browser.complaints()}")
+
+
 def run(browser, file):
     browser.open(file)
     expect("cycles a frame" in browser.evaluate("document.getElementById('explanation').textContent"), "what binds the run is said")
@@ -210,5 +232,5 @@ def table(browser, file):
 with Browser() as browser:
     kind, file = sys.argv[1:]
     well_made(browser, file)
-    {"run": run, "comparison": comparison, "table": table, "sweep": sweep}[kind](browser, file)
+    {"run": run, "comparison": comparison, "table": table, "sweep": sweep, "swept": swept}[kind](browser, file)
 sys.exit(1 if wrong else 0)

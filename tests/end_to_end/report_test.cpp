@@ -85,6 +85,17 @@ TEST_F(SweepReportTest, WorksInABrowser) {
   open("sweep", "out/report.html");
 }
 
+TEST_F(ReportTest, TheSweepThatWasJustMadeWorksInABrowser) {
+  if (const std::string why = no_browser(); !why.empty()) GTEST_SKIP() << why;
+  write_scene("tiny.obj");
+  write("grid.toml",
+        "scenes = [\"tiny.obj\"]\nsize = \"24x16\"\n[grid]\ncore.count = [1, 2, 4]\n"
+        "accel.static.kind = [\"bvh2\", \"kd\"]\n");
+  fine({"sweep", "grid.toml", "-o", "out", "--quiet"});
+  fine({"report", "out"});
+  open("swept", "out/report.html");
+}
+
 TEST_F(SweepReportTest, BrokenSweepsAreRefused) {
   write_sweep("out");
   write_scene("tiny.obj");

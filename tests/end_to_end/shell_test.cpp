@@ -77,6 +77,7 @@ TEST_F(ShellTest, BashOffersValuesThatTheProgramTakes) {
   }
   EXPECT_THAT(offered("artu run --pictures frame,de"), ElementsAre("frame,decision"));
   EXPECT_THAT(offered("artu completion "), ElementsAre("bash", "zsh", "fish"));
+  EXPECT_THAT(offered("artu sweep --backend "), ElementsAre("local", "slurm"));
 }
 
 TEST_F(ShellTest, BashOffersParametersAndTheirValues) {

@@ -53,6 +53,8 @@ void add_values(const std::string& command, OptionInfo& option) {
     take(Argument::list, {"bvh2", "bvh4", "bvh8", "kd"});
   } else if (name == "--memory-trace-format") {
     take(Argument::value, {"dramsim3", "ramulator", "ramulator2"});
+  } else if (name == "--backend") {
+    take(Argument::value, {"local", "slurm"});
   } else if (name == "--frames") {
     option.values = {"all"};
   } else if (name == "--inject-fault") {

@@ -114,8 +114,8 @@ function parallelSection(model, state, update) {
     }
     axesNow.forEach((name, i) => {
       const x = X(i), axis = s("g", {}, s("line", { class: "axis", x1: x, x2: x, y1: top, y2: bottom }));
-      for (const mark of places[i].marks) { const y = Y(i, mark); if (y !== null) axis.append(s("text", { class: "soft", x: x + 4, y: y + 4 }, isNumber(mark) ? short(mark) : cut(String(mark), 60))); }
-      const brush = state.brushes[name], label = s("text", { x, y: i % 2 ? 12 : 26, "text-anchor": "middle", tabindex: 0, role: "button", "aria-label": `${name}${brush ? ": forget its range" : ""}` }, (brush ? "✕ " : "") + cut(name, 170));
+      for (const mark of places[i].marks) { const y = Y(i, mark); const last = i + 1 === axesNow.length && i > 0; if (y !== null) axis.append(s("text", { class: "soft halo", x: last ? x - 4 : x + 4, y: y + 4, "text-anchor": last ? "end" : "start" }, isNumber(mark) ? short(mark) : cut(String(mark), 60))); }
+      const brush = state.brushes[name], edge = i === 0 ? "start" : i + 1 === axesNow.length ? "end" : "middle", label = s("text", { class: "halo", x: edge === "start" ? 4 : edge === "end" ? wide - 4 : x, y: i % 2 ? 12 : 26, "text-anchor": edge, tabindex: 0, role: "button", "aria-label": `${name}${brush ? ": forget its range" : ""}` }, (brush ? "✕ " : "") + cut(name, 170));
       const forget = () => { delete state.brushes[name]; update(); };
       label.addEventListener("click", forget);
       label.addEventListener("keydown", (e) => { if (e.key === "Enter") forget(); });
