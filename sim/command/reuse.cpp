@@ -27,19 +27,13 @@ struct Reuse {
 
 template <class A>
 void transfer(A& archive, CacheReuse& reuse) {
-  pass(archive, reuse.name);
-  pass(archive, reuse.caches);
-  pass(archive, reuse.lines);
-  pass(archive, reuse.requests);
-  pass(archive, reuse.first_uses);
-  pass(archive, reuse.distances);
-  pass(archive, reuse.windows);
+  pass_all(archive, reuse.name, reuse.caches, reuse.lines, reuse.requests, reuse.first_uses, reuse.distances,
+           reuse.windows);
 }
 
 template <class A>
 void transfer(A& archive, Reuse& reuse) {
-  pass(archive, reuse.kinds);
-  pass(archive, reuse.totals);
+  pass_all(archive, reuse.kinds, reuse.totals);
 }
 
 namespace {

@@ -40,14 +40,7 @@ struct FrameReport {
 
 template <class A>
 void transfer(A& archive, FrameReport& r) {
-  pass(archive, r.index);
-  pass(archive, r.dram_clocks);
-  pass(archive, r.totals);
-  pass(archive, r.violations);
-  pass(archive, r.check);
-  pass(archive, r.pixel_csv);
-  pass(archive, r.animation);
-  pass(archive, r.timeline);
+  pass_all(archive, r.index, r.dram_clocks, r.totals, r.violations, r.check, r.pixel_csv, r.animation, r.timeline);
 }
 
 class RunReport {

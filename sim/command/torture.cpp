@@ -17,10 +17,7 @@ namespace artu::sim {
 
 template <class A>
 void transfer(A& archive, TortureResult& result) {
-  pass(archive, result.verdict);
-  pass(archive, result.text);
-  pass(archive, result.pixels);
-  pass(archive, result.cycles);
+  pass_all(archive, result.verdict, result.text, result.pixels, result.cycles);
 }
 
 namespace {

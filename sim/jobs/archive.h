@@ -1,7 +1,7 @@
 // Values as bytes and back, from one process of the program to a copy of it: nothing for a file.
 //
-// A type of its own that is not trivially copyable has `template <class A> void transfer(A&, Type&)`, which hands each
-// of its fields to the archive; writing and reading then cannot disagree.
+// A type of its own that is not trivially copyable has `template <class A> void transfer(A&, Type&)`, which hands
+// its fields to pass_all; writing and reading then cannot disagree.
 #pragma once
 
 #include <cstdint>
@@ -109,6 +109,12 @@ void pass(A& archive, T& value) {
   } else {
     transfer(archive, value);
   }
+}
+
+/// The fields of a type, in one order for both ways.
+template <class A, class... T>
+void pass_all(A& archive, T&... values) {
+  (pass(archive, values), ...);
 }
 
 template <class T>

@@ -11,11 +11,7 @@ namespace artu::hw {
 
 template <class A>
 void transfer(A& archive, Statistic& s) {
-  pass(archive, s.block);
-  pass(archive, s.name);
-  pass(archive, s.value);
-  pass(archive, s.unit);
-  pass(archive, s.text);
+  pass_all(archive, s.block, s.name, s.value, s.unit, s.text);
 }
 
 }  // namespace artu::hw
@@ -24,25 +20,17 @@ namespace artu::sim {
 
 template <class A>
 void transfer(A& archive, Image& image) {
-  pass(archive, image.width);
-  pass(archive, image.height);
-  pass(archive, image.rgb);
+  pass_all(archive, image.width, image.height, image.rgb);
 }
 
 template <class A>
 void transfer(A& archive, FullRender& full) {
-  pass(archive, full.image);
-  pass(archive, full.classes);
+  pass_all(archive, full.image, full.classes);
 }
 
 template <class A>
 void transfer(A& archive, Estimate& e) {
-  pass(archive, e.block);
-  pass(archive, e.name);
-  pass(archive, e.unit);
-  pass(archive, e.value);
-  pass(archive, e.low);
-  pass(archive, e.high);
+  pass_all(archive, e.block, e.name, e.unit, e.value, e.low, e.high);
 }
 
 template <class A>
@@ -54,23 +42,14 @@ void transfer(A& archive, Totals& t) {
         &t.rays_refraction, &t.node_visits, &t.triangle_tests, &t.dram_read_bytes, &t.dram_write_bytes}) {
     pass(archive, *count);
   }
-  pass(archive, t.dynamic_tree);
-  pass(archive, t.simulation_seconds);
-  pass(archive, t.statistics);
-  pass(archive, t.estimates);
-  pass(archive, t.memory);
+  pass_all(archive, t.dynamic_tree, t.simulation_seconds, t.statistics, t.estimates, t.memory);
 }
 
 /// The kinds of rays are literals of the program, which all its processes have at the same place.
 template <class A>
 void transfer(A& archive, CheckResult& c) {
-  pass(archive, c.pixels);
-  pass(archive, c.differing_pixels);
-  pass(archive, c.differing_fields);
-  pass(archive, c.first);
-  pass(archive, c.rays);
-  pass(archive, c.golden_seconds);
-  pass(archive, c.simulation_seconds);
+  pass_all(archive, c.pixels, c.differing_pixels, c.differing_fields, c.first, c.rays, c.golden_seconds,
+           c.simulation_seconds);
 }
 
 }  // namespace artu::sim

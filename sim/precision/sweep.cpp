@@ -55,11 +55,7 @@ struct FrameResult {
 
 template <class A>
 void transfer(A& archive, FrameResult& r) {
-  pass(archive, r.totals);
-  pass(archive, r.hash);
-  pass(archive, r.from_binary32);
-  pass(archive, r.from_binary64);
-  pass(archive, r.picture);
+  pass_all(archive, r.totals, r.hash, r.from_binary32, r.from_binary64, r.picture);
 }
 
 class Sweep {

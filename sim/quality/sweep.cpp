@@ -26,11 +26,7 @@ struct FrameResult {
 
 template <class A>
 void transfer(A& archive, FrameResult& r) {
-  pass(archive, r.totals);
-  pass(archive, r.errors);
-  pass(archive, r.full);
-  pass(archive, r.attribution);
-  pass(archive, r.part);
+  pass_all(archive, r.totals, r.errors, r.full, r.attribution, r.part);
 }
 
 class Sweep {

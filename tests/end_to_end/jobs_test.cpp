@@ -18,22 +18,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Without what says how long it took and how it was called.
-std::string repeatable(const std::string& name, const std::string& text) {
-  if (name.size() > 5 && name.compare(name.size() - 5, 5, ".json") == 0) {
-    nlohmann::json json = nlohmann::json::parse(text);
-    for (const char* key : {"simulation", "command"}) json.erase(key);
-    return json.dump(1);
-  }
-  if (name != "stats.txt") return text;
-  std::istringstream in(text);
-  std::string out;
-  for (std::string line; std::getline(in, line);) {
-    if (line.compare(0, 11, "simulation.") != 0) out += line + "\n";
-  }
-  return out;
-}
-
 class JobsTest : public ProgramTest {
  protected:
   void expect_same_folders(const std::string& a, const std::string& b) const {

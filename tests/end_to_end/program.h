@@ -14,6 +14,9 @@ struct Finished {
   std::string out, err;
 };
 
+/// What a file of a report holds, without what says how long it took and how it was called.
+std::string repeatable(const std::string& name, const std::string& text);
+
 /// A test in an empty folder, which goes with it.
 class ProgramTest : public ::testing::Test {
  protected:

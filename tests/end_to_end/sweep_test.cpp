@@ -13,23 +13,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAre;
 
-/// Without wall times, and the words -o and folder.
-std::string repeatable(const std::string& name, const std::string& text) {
-  if (name == "stats.json" || name == "manifest.json") {
-    nlohmann::json json = nlohmann::json::parse(text);
-    json.erase("simulation");
-    json.erase("command");
-    return json.dump(1);
-  }
-  if (name != "stats.txt") return text;
-  std::istringstream in(text);
-  std::string out;
-  for (std::string line; std::getline(in, line);) {
-    if (line.compare(0, 11, "simulation.") != 0) out += line + "\n";
-  }
-  return out;
-}
-
 class SweepTest : public ProgramTest {
  protected:
   SweepTest() { write_scene("tiny.obj"); }

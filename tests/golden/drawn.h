@@ -21,6 +21,18 @@ class Draw {
   std::uint32_t state_;
 };
 
+/// What decides for each pixel, but for the policy and its thresholds.
+template <class DrawBelow>
+void draw_comparison(hw::SelectiveConfig& s, DrawBelow& draw) {
+  s.stride = 2u << draw(3);
+  s.passes = static_cast<hw::Passes>(draw(2));
+  s.compare = static_cast<hw::Compare>(draw(2));
+  if (s.compare == hw::Compare::reference_count) s.count = static_cast<hw::Count>(draw(2));
+  s.reference_count = draw(9);
+  s.metric = static_cast<hw::Metric>(draw(3));
+  s.magnitude = static_cast<hw::Magnitude>(draw(3));
+}
+
 inline hw::UnitConfig draw_configuration(Draw& draw) {
   hw::UnitConfig config;
   config.core.count = 1 + draw(8);

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "golden/drawn.h"
 #include "hw/selective/policy.h"
 #include "ref/selective.h"
 #include "sim/compare/golden_settings.h"
@@ -40,13 +41,7 @@ TEST_P(PolicyTwins, AgreeOnAnyCandidate) {
     hw::UnitConfig unit;
     hw::SelectiveConfig& s = unit.selective;
     s.policy = GetParam();
-    s.stride = 2u << draw(3);
-    s.passes = static_cast<hw::Passes>(draw(2));
-    s.compare = static_cast<hw::Compare>(draw(2));
-    if (s.compare == hw::Compare::reference_count) s.count = static_cast<hw::Count>(draw(2));
-    s.reference_count = draw(9);
-    s.metric = static_cast<hw::Metric>(draw(3));
-    s.magnitude = static_cast<hw::Magnitude>(draw(3));
+    draw_comparison(s, draw);
     s.adaptive = draw(4) != 0;
     s.reference = draw(256);
     s.minimum = draw(256);

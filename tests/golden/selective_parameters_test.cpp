@@ -1,6 +1,7 @@
 // A test for each value of each parameter of selective rendering: the golden model's bits in images of odd sizes, and
 // other records than the default's, so that no parameter is without effect on both sides.
 #include "golden/candidates.h"
+#include "golden/drawn.h"
 #include "hw/selective/policy.h"
 
 namespace artu::golden_tests {
@@ -140,13 +141,7 @@ TEST(SelectiveParameter, AnyMixtureIsExact) {
     recipe.subdivisions = 1;
     hw::UnitConfig config;
     Selective& s = config.selective;
-    s.stride = 2u << draw(3);
-    s.passes = static_cast<hw::Passes>(draw(2));
-    s.compare = static_cast<hw::Compare>(draw(2));
-    if (s.compare == hw::Compare::reference_count) s.count = static_cast<hw::Count>(draw(2));
-    s.reference_count = draw(9);
-    s.metric = static_cast<hw::Metric>(draw(3));
-    s.magnitude = static_cast<hw::Magnitude>(draw(3));
+    draw_comparison(s, draw);
     s.adaptive = draw(8) != 0;
     s.policy = draw(static_cast<std::uint32_t>(hw::policy_names().size()));
     for (std::uint32_t& value : s.policy_registers) value = draw(256);

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "unit/hw/every_plan.h"
+
 namespace artu::hw::test {
 namespace {
 
@@ -17,12 +19,7 @@ SelectiveConfig with(std::uint32_t stride, Passes passes) {
 
 template <class Test>
 void for_every_plan(const Test& test) {
-  for (std::uint32_t stride : {2u, 4u, 8u}) {
-    for (Passes passes : {Passes::horizontal_vertical, Passes::average}) {
-      SCOPED_TRACE("stride " + std::to_string(stride) + (passes == Passes::average ? ", average" : ""));
-      test(PassPlan(with(stride, passes)));
-    }
-  }
+  for_every_stride_and_passes([&test](std::uint32_t stride, Passes passes) { test(PassPlan(with(stride, passes))); });
 }
 
 TEST(PassPlan, HasTwoOrThreePassesALevel) {

@@ -6,6 +6,7 @@
 
 #include "hw/selective/pass_plan.h"
 #include "hw/selective/policy.h"
+#include "unit/hw/every_plan.h"
 #include "unit/hw/tiny_frame.h"
 
 namespace artu::hw::test {
@@ -20,12 +21,7 @@ UnitConfig with(std::uint32_t stride, Passes passes) {
 
 template <class Test>
 void for_every_plan(const Test& test) {
-  for (std::uint32_t stride : {2u, 4u, 8u}) {
-    for (Passes passes : {Passes::horizontal_vertical, Passes::average}) {
-      SCOPED_TRACE("stride " + std::to_string(stride) + (passes == Passes::average ? ", average" : ""));
-      test(with(stride, passes));
-    }
-  }
+  for_every_stride_and_passes([&test](std::uint32_t stride, Passes passes) { test(with(stride, passes)); });
 }
 
 TEST(SelectiveFrames, EveryPixelIsWrittenOnceInItsPass) {

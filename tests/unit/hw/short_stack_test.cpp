@@ -119,13 +119,9 @@ TEST(ShortStack, ARayEndsWhenItsSpillsAreAcknowledged) {
 TEST(TreeBuilding, RaysWalkTheStaticTreeFirstAndWaitForTheDynamicOne) {
   for (float dynamic_z : {0.5f, 6.0f}) {
     Walker w;
-    w.scene.triangle(false, 0, 3, 7);
-    w.scene.triangle(true, 0, dynamic_z, 8);
-    w.scene.root(false, leaf(0, 1, false));
-    w.scene.root(true, leaf(0, 1, true));
+    a_triangle_in_each_tree(w.scene, dynamic_z);
     w.scene.registers.descriptor.dynamic_moved = 1;
     w.scene.registers.descriptor.dynamic_triangle_count = 1;
-    w.scene.ray(0, 1, 1);
     w.builder.push_at(500, {});
     w.run(1);
     EXPECT_EQ(w.triangle_memory.requests.front().line, w.scene.registers.descriptor.static_triangles);

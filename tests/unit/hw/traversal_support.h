@@ -80,4 +80,13 @@ inline void two_leaves(CoreScene& scene) {
   scene.root(false, inner(0, false));
 }
 
+/// A ray, 3 before it a triangle of the static tree, and `dynamic_z` before it one of the dynamic tree.
+inline void a_triangle_in_each_tree(CoreScene& scene, float dynamic_z) {
+  scene.triangle(false, 0, 3, 7);
+  scene.triangle(true, 0, dynamic_z, 8);
+  scene.root(false, leaf(0, 1, false));
+  scene.root(true, leaf(0, 1, true));
+  scene.ray(0, 1, 1);
+}
+
 }  // namespace artu::hw::test

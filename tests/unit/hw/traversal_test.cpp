@@ -104,11 +104,7 @@ TEST(Traversal, AStackEntryThatBeginsAtTheBestHitIsStillVisited) {
 TEST(Traversal, BothTreesAreWalkedForTheNearestHit) {
   for (float dynamic_z : {0.5f, 6.0f}) {
     Walker w;
-    w.scene.triangle(false, 0, 3, 7);
-    w.scene.triangle(true, 0, dynamic_z, 8);
-    w.scene.root(false, leaf(0, 1, false));
-    w.scene.root(true, leaf(0, 1, true));
-    w.scene.ray(0, 1, 1);
+    a_triangle_in_each_tree(w.scene, dynamic_z);
     w.run(1);
     const bool dynamic = dynamic_z > 3;
     EXPECT_EQ(w.scene.contexts[0].best_primitive, dynamic ? 8u : 7u);

@@ -23,8 +23,7 @@ struct Part {
 
 template <class A>
 void transfer(A& archive, Part& part) {
-  pass(archive, part.number);
-  pass(archive, part.text);
+  pass_all(archive, part.number, part.text);
 }
 
 struct Whole {
@@ -36,11 +35,7 @@ struct Whole {
 
 template <class A>
 void transfer(A& archive, Whole& whole) {
-  pass(archive, whole.parts);
-  pass(archive, whole.map);
-  pass(archive, whole.there);
-  pass(archive, whole.not_there);
-  pass(archive, whole.number);
+  pass_all(archive, whole.parts, whole.map, whole.there, whole.not_there, whole.number);
 }
 
 TEST(Archive, ValuesComeBackAsTheyWere) {
