@@ -18,6 +18,7 @@
 #include <system_error>
 
 #include "sim/driver/frame_simulator.h"
+#include "sim/report/line_counts.h"
 #include "traces/error.h"
 
 namespace artu::sim {
@@ -76,6 +77,7 @@ Answer answer_to(std::uint64_t task, const Worker::Work& work) {
   begin_forked_process();
   for (std::uint64_t task; receive_all(fd, &task, sizeof task);) {
     const Answer answer = answer_to(task, work);
+    write_line_counts();  // who has the answer may kill us
     Header header;
     std::memset(&header, 0, sizeof header);
     header.kind = answer.kind;

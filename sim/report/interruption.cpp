@@ -9,6 +9,8 @@
 #include <set>
 #include <thread>
 
+#include "sim/report/line_counts.h"
+
 namespace artu::sim {
 namespace {
 
@@ -44,6 +46,7 @@ Guarded& guarded() { return *instance(); }
       if (!error) break;
     }
   }
+  write_line_counts();
   _exit(128 + signal);
 }
 
