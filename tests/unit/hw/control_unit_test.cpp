@@ -140,6 +140,7 @@ TEST(ControlUnit, NothingIsBuiltWhereNothingMovedOrNothingIsThere) {
     c.frame().dynamic_triangle_count = moved ? 0 : 10;
     EXPECT_EQ(c.run()[1], 0u);
     EXPECT_TRUE(c.builder.commands.empty());
+    EXPECT_EQ(counter(c.control, "builds_skipped"), moved ? 0u : 1u) << "of no geometry there is no tree to keep";
   }
 }
 

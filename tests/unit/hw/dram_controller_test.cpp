@@ -177,6 +177,25 @@ TEST(DramController, ARefreshClosesTheRowAndTakesItsTime) {
   EXPECT_EQ(late.count("refreshes"), 10u);
 }
 
+TEST(DramController, BankByBankEachIsRefreshedInItsTurn) {
+  DramConfig config = config_of();
+  config.refresh = RefreshPolicy::per_bank;
+  const Cycle interval = config.t_refi / config.banks;
+  // Two banks are opened before the first refresh, which is bank 0's; the second one is bank 1's.
+  const auto row_hits = [&](std::uint32_t bank, Cycle at) {
+    Memory m(config);
+    m.read(10, m.at(0, 0, 0)).read(11, m.at(1, 0, 0)).read(at, m.at(bank, 0, 1));
+    m.run();
+    return m.count("row_hits");
+  };
+  const Cycle after_first = interval + 300, after_second = 2 * interval + 300;
+  ASSERT_LT(after_first, 2 * interval);
+  EXPECT_EQ(row_hits(0, after_first), 0u);
+  EXPECT_EQ(row_hits(1, after_first), 1u);
+  EXPECT_EQ(row_hits(1, after_second), 0u);
+  EXPECT_EQ(row_hits(0, after_second), 0u);
+}
+
 TEST(DramController, RowPoliciesCloseRows) {
   DramConfig closed = config_of();
   closed.row_policy = RowPolicy::closed;

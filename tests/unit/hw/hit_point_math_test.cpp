@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace artu::hw::test {
 namespace {
 
@@ -36,6 +38,21 @@ TEST_F(HitPointMath, TheOriginsAreOffTheSurfaceBySixtyFourUnitsOfTheLargestCoord
   const float epsilon = 4.0f * 0x1p-18f;
   expect_vector(surface().outside, 1, 2, 1 + epsilon);
   expect_vector(surface().inside, 1, 2, 1 - epsilon);
+}
+
+TEST_F(HitPointMath, TheOffsetGrowsWithTheLongestEdgeWhicheverItIs) {
+  // Coordinates of 4 at most, and from one corner to another 8 along an axis; a narrow test, so that edges count.
+  constexpr int bits = 10;
+  const float epsilon = 4 * 0x1p-19f + 8 * 0x1p-6f;
+  const Vector corner{0, 4, 0}, low{-4, 0, 0}, high{4, 0, 0};
+  ray.direction = {0, 0, -1};
+  for (const auto& [a, b, c] :
+       {std::tuple{corner, low, high}, std::tuple{high, corner, low}, std::tuple{low, high, corner}}) {
+    triangle.a = a;
+    triangle.b = b;
+    triangle.c = c;
+    EXPECT_EQ(surface_at(ray, hit, triangle, attributes, bits).outside.z, epsilon);
+  }
 }
 
 TEST_F(HitPointMath, NormalsAreOnTheRaysSide) {

@@ -87,5 +87,28 @@ TEST(Interconnect, WaitsForTheMemoryBelow) {
   EXPECT_GT(x.interconnect.cycles_in(State::stall_out), 80u);
 }
 
+TEST(Interconnect, AMasterGetsOneResponseACycleFromAllMemories) {
+  Bench bench;
+  auto& interconnect = bench.block<Interconnect>("interconnect");
+  MemoryLink &even = bench.link("even", 4, 1, 1), &odd = bench.link("odd", 4, 1, 1);
+  auto& even_memory = bench.block<ScriptedMemory>("even_memory", even, 1, memory_latency);
+  auto& odd_memory = bench.block<ScriptedMemory>("odd_memory", odd, 1, memory_latency);
+  even.bind(interconnect, even_memory);
+  odd.bind(interconnect, odd_memory);
+  interconnect.add_memory(even);
+  interconnect.add_memory(odd);
+  Client master(bench, "master", interconnect, 4, hop, hop);
+  interconnect.add_master(master.link);
+  interconnect.flag_channels();
+  // The second line is asked for a cycle later, and its memory is that cycle faster.
+  odd_memory.latency = [](const MemoryRequest&) -> Cycle { return memory_latency - 1; };
+  master.requests.push_at(1, read_of(128, 7)).push_at(2, read_of(64, 8));
+  bench.run(100);
+  const Cycle first = 1 + hop + 1 + memory_latency + hop;
+  EXPECT_EQ(master.responses.cycles, (std::vector<Cycle>{first, first + 1}));
+  EXPECT_EQ(counter(interconnect, "conflicts"), 1u);
+  EXPECT_EQ(counter(interconnect, "responses"), 2u);
+}
+
 }  // namespace
 }  // namespace artu::hw::test

@@ -10,9 +10,9 @@ namespace artu::hw::test {
 namespace {
 
 struct Generator {
-  explicit Generator(std::size_t contexts)
+  explicit Generator(std::size_t contexts, RayOrder order = RayOrder::secondary_first)
       : scene(contexts),
-        generator(bench.block<RayGenerator>("generator", scene.registers, scene.contexts)),
+        generator(bench.block<RayGenerator>("generator", scene.registers, scene.contexts, PrecisionConfig{}, order)),
         primary(bench.fifo<Slot>("primary", 64, scene.pipelines.generate + scene.pipelines.set_up)),
         others(bench.fifo<Slot>("others", 64, scene.pipelines.set_up)),
         pixels(bench.block<Source<PixelJob>>("pixels", jobs)),
@@ -89,6 +89,24 @@ TEST(RayGenerator, NextRaysGoFirst) {
   EXPECT_EQ(g.primary_sink.cycles, every(20 + g.primary_latency(), 4));
 }
 
+TEST(RayGenerator, OrPixelsGoFirst) {
+  Generator g(64, RayOrder::primary_first);
+  for (std::uint16_t i = 0; i < 4; ++i) g.pixels.push_at(9, {i, 0});
+  g.next_source.push_all(9, slots(10));
+  g.bench.run(300);
+  EXPECT_EQ(g.primary_sink.cycles, every(10 + g.primary_latency(), 4));
+  EXPECT_EQ(g.others_sink.cycles, every(14 + Cycle{g.scene.pipelines.set_up}, 10));
+}
+
+TEST(RayGenerator, OrBothTakeTurnsAndThePixelBegins) {
+  Generator g(64, RayOrder::first_come);
+  for (std::uint16_t i = 0; i < 4; ++i) g.pixels.push_at(9, {i, 0});
+  g.next_source.push_all(9, slots(4));
+  g.bench.run(300);
+  EXPECT_EQ(g.primary_sink.cycles, every(10 + g.primary_latency(), 4, 2));
+  EXPECT_EQ(g.others_sink.cycles, every(11 + Cycle{g.scene.pipelines.set_up}, 4, 2));
+}
+
 TEST(RayGenerator, StartsNoMorePixelsThanThereAreContexts) {
   Generator g(3);
   for (std::uint16_t i = 0; i < 5; ++i) g.pixels.push_at(9, {i, 0});
@@ -102,8 +120,9 @@ TEST(RayGenerator, StartsNoMorePixelsThanThereAreContexts) {
   EXPECT_EQ(g.primary_sink.tokens[4], 0);
 }
 
-struct Dispatch {
-  Dispatch(std::size_t source_count, std::size_t core_count) {
+struct Dispatching {
+  Dispatching(std::size_t source_count, std::size_t core_count, Dispatch policy = Dispatch::first_come)
+      : dispatcher(bench.block<Dispatcher>("dispatcher", registers, policy, 16u)) {
     for (std::size_t i = 0; i < source_count; ++i) {
       const std::string name = "source" + std::to_string(i);
       auto& fifo = bench.fifo<PixelJob>(name.c_str(), 8);
@@ -121,13 +140,13 @@ struct Dispatch {
   }
   Bench bench;
   FrameRegisters registers;
-  Dispatcher& dispatcher = bench.block<Dispatcher>("dispatcher", registers);
+  Dispatcher& dispatcher;
   std::vector<Source<PixelJob>*> sources;
   std::vector<Sink<PixelJob>*> cores;
 };
 
 TEST(Dispatcher, HandsOutOnePixelACycleRoundRobinWithLatencyOne) {
-  Dispatch d(1, 3);
+  Dispatching d(1, 3);
   for (std::uint16_t i = 0; i < 30; ++i) d.sources[0]->push_at(9, {i, 0});
   d.bench.run(200);
   for (std::size_t core = 0; core < 3; ++core) {
@@ -137,7 +156,7 @@ TEST(Dispatcher, HandsOutOnePixelACycleRoundRobinWithLatencyOne) {
 }
 
 TEST(Dispatcher, LeavesOutACoreWithoutRoom) {
-  Dispatch d(1, 3);
+  Dispatching d(1, 3);
   d.cores[1]->open = [](Cycle) { return false; };
   for (std::uint16_t i = 0; i < 45; ++i) d.sources[0]->push_at(9, {i, 0});
   d.bench.run(500);
@@ -147,7 +166,7 @@ TEST(Dispatcher, LeavesOutACoreWithoutRoom) {
 }
 
 TEST(Dispatcher, WaitsWhereNoCoreHasRoom) {
-  Dispatch d(1, 2);
+  Dispatching d(1, 2);
   for (auto* core : d.cores) core->open = [](Cycle now) { return now >= 300; };
   for (std::uint16_t i = 0; i < 40; ++i) d.sources[0]->push_at(9, {i, 0});
   d.bench.run(1000);
@@ -156,7 +175,7 @@ TEST(Dispatcher, WaitsWhereNoCoreHasRoom) {
 }
 
 TEST(Dispatcher, SourcesTakeTurns) {
-  Dispatch d(2, 1);
+  Dispatching d(2, 1);
   for (std::uint16_t i = 0; i < 10; ++i) {
     d.sources[0]->push_at(9, {i, 0});
     d.sources[1]->push_at(9, {i, 1});
@@ -164,6 +183,36 @@ TEST(Dispatcher, SourcesTakeTurns) {
   d.bench.run(200);
   ASSERT_EQ(d.cores[0]->tokens.size(), 20u);
   for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(d.cores[0]->tokens[i].y, i % 2);
+}
+
+TEST(Dispatcher, ByTileTheCoreFollowsFromThePlace) {
+  Dispatching d(1, 3, Dispatch::tiles);
+  d.registers.descriptor.width = 40;  // three tiles a row, the last of them 8 wide
+  for (const PixelJob& pixel : {PixelJob{0, 0}, {15, 15}, {16, 0}, {39, 0}, {0, 16}, {16, 31}, {39, 16}, {0, 32}}) {
+    d.sources[0]->push_at(9, pixel);
+  }
+  d.bench.run(200);
+  // Tile 3, the first of the second row, is core 0's again.
+  const auto places_of = [&](std::size_t core) {
+    std::vector<std::pair<int, int>> places;
+    for (const PixelJob& pixel : d.cores[core]->tokens) places.emplace_back(pixel.x, pixel.y);
+    return places;
+  };
+  using Places = std::vector<std::pair<int, int>>;
+  EXPECT_EQ(places_of(0), (Places{{0, 0}, {15, 15}, {0, 16}, {0, 32}}));
+  EXPECT_EQ(places_of(1), (Places{{16, 0}, {16, 31}}));
+  EXPECT_EQ(places_of(2), (Places{{39, 0}, {39, 16}}));
+}
+
+TEST(Dispatcher, ByTileAFullCoreIsWaitedFor) {
+  Dispatching d(1, 2, Dispatch::tiles);
+  d.registers.descriptor.width = 32;
+  d.cores[0]->open = [](Cycle now) { return now >= 300; };
+  for (std::uint16_t i = 0; i < 6; ++i) d.sources[0]->push_at(9, {i, 0});
+  d.sources[0]->push_at(15, {16, 0});
+  d.bench.run(1000);
+  ASSERT_EQ(d.cores[1]->cycles.size(), 1u);
+  EXPECT_GE(d.cores[1]->cycles[0], 300u) << "it stands behind those of core 0";
 }
 
 }  // namespace

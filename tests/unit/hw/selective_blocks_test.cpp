@@ -67,6 +67,8 @@ TEST(CollisionCounter, FillsInTheCounts) {
   b.bench.run(50);
   EXPECT_EQ(b.sink.tokens[0].counts.n_static, 1);
   EXPECT_EQ(b.sink.tokens[0].counts.n_dynamic, 2);
+  EXPECT_EQ(counter(b.stage, "static_hits"), 1u);
+  EXPECT_EQ(counter(b.stage, "dynamic_hits"), 2u);
 }
 
 TEST(ThresholdAdjuster, HasThePolicysLatencyAndTakesOneCandidateACycle) {
@@ -84,6 +86,20 @@ TEST(ThresholdAdjuster, FillsInTheThreshold) {
   EXPECT_EQ(b.sink.tokens[0].threshold, 14);
   EXPECT_EQ(counter(b.stage, "lowered"), 1u);
   EXPECT_EQ(counter(b.stage, "raised"), 0u);
+}
+
+TEST(ThresholdAdjuster, CountsThresholdsOnEitherSideOfTheReference) {
+  StageBench<ThresholdAdjuster> b(2, SelectiveConfig{});
+  Cycle at = 1;
+  for (const HitCounts& counts : {HitCounts{2, 2}, HitCounts{1, 2}, HitCounts{3, 2}, HitCounts{4, 0}}) {
+    Candidate c = candidate(1);
+    c.counts = counts;
+    b.source.push_at(at++, c);
+  }
+  b.bench.run(50);
+  EXPECT_EQ(b.sink.tokens[0].threshold, 16) << "the reference itself is neither";
+  EXPECT_EQ(counter(b.stage, "lowered"), 1u);
+  EXPECT_EQ(counter(b.stage, "raised"), 2u);
 }
 
 struct Executor {

@@ -156,5 +156,31 @@ TEST(Traversal, WaitsForTheNodeCacheAndForFullOutputs) {
   EXPECT_GT(w.traversal.cycles_in(State::stall_out), 1000u);
 }
 
+/// A primary ray and another one wait for the box testers: the slots in the order in which they begin.
+std::vector<Slot> order_of(RayOrder order, Cycle primary_arrival, Cycle other_arrival) {
+  RayCoreConfig config = core_config;
+  config.ray_order = order;
+  Walker w(2, config);
+  two_leaves(w.scene);
+  w.scene.ray(0, 1000, 1);
+  w.scene.ray(1, 1000, 1, RayKind::reflection);
+  w.scene.contexts[0].arrival = primary_arrival;
+  w.scene.contexts[1].arrival = other_arrival;
+  w.no_rays.push_at(9, 1);
+  w.run(1);
+  return w.misses.tokens;
+}
+
+TEST(Traversal, OfTwoRaysThatOfTheOrderBegins) {
+  const std::vector<Slot> primary{0, 1}, other{1, 0};
+  for (const Cycle arrival : {3, 5}) {
+    EXPECT_EQ(order_of(RayOrder::secondary_first, 4, arrival), other);
+    EXPECT_EQ(order_of(RayOrder::primary_first, 4, arrival), primary);
+  }
+  EXPECT_EQ(order_of(RayOrder::first_come, 4, 5), primary);
+  EXPECT_EQ(order_of(RayOrder::first_come, 4, 3), other);
+  EXPECT_EQ(order_of(RayOrder::first_come, 4, 4), other) << "on a tie the ray that is nearer to its pixel's end";
+}
+
 }  // namespace
 }  // namespace artu::hw::test
