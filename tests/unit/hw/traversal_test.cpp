@@ -32,6 +32,20 @@ TEST(Traversal, ARayThatMissesTheRootBoxesCostsOneBoxTest) {
   EXPECT_EQ(w.scene.contexts[0].hit_class, HitClass::miss);
 }
 
+TEST(Traversal, ARootBoxBeyondTheRaysLimitIsNotEntered) {
+  Walker w;
+  two_leaves(w.scene);
+  w.scene.registers.descriptor.static_hi.z = 1;  // 9 away
+  for (Slot slot : slots(2)) w.scene.ray(slot, 1, 1, RayKind::shadow);
+  w.scene.contexts[0].ray.tmax = 8.5f;
+  w.scene.contexts[1].ray.tmax = 9;
+  w.run(2);
+  EXPECT_EQ(w.shadows.tokens, (std::vector<Slot>{0, 1}));
+  EXPECT_FALSE(w.scene.contexts[0].found);
+  EXPECT_TRUE(w.scene.contexts[1].found) << "the limit is inclusive";
+  EXPECT_EQ(w.traversal.node_visits(), 1u);
+}
+
 TEST(Traversal, ADeadRayIsAMiss) {
   Walker w;
   two_leaves(w.scene);
