@@ -119,7 +119,9 @@ TEST_F(TimelineTest, AddsUpToTheCounters) {
 
 TEST_F(TimelineTest, HasABoundedNumberOfEquidistantLooks) {
   run("out", {"--timeline"});
-  for (const json& frame : parsed("out/timeline.json")["frames"]) {
+  const json timeline = parsed("out/timeline.json");
+  ASSERT_EQ(timeline["frames"].size(), 3u);
+  for (const json& frame : timeline["frames"]) {
     const json& at = frame["at"];
     const std::uint64_t interval = frame["interval"];
     ASSERT_GT(frame["cycles"], 16u * 300) << "a frame that has to forget looks";

@@ -139,6 +139,18 @@ TEST(EnergyModel, StaticPowerIsPowerTimesTime) {
   EXPECT_DOUBLE_EQ(energy_of(totals(), free_but({"energy.leakage.sram=0.5"})).milliwatts(), 500 * 0.5);
 }
 
+TEST(EnergyModel, AnAccessToTheL2IsOneToABank) {
+  for (const std::uint32_t banks : {1u, 2u, 8u}) {
+    const hw::UnitConfig unit = with({"memory.l2_banks=" + std::to_string(banks)});
+    const Energy energy = energy_of(totals(), unit);
+    const auto item = std::find_if(energy.items.begin(), energy.items.end(),
+                                   [](const EnergyItem& i) { return i.block == "l2" && i.event == "sram.access"; });
+    ASSERT_NE(item, energy.items.end());
+    EXPECT_EQ(item->price, line_price(unit.energy, unit.memory.l2.size / banks)) << banks;
+  }
+  EXPECT_LT(line_price({}, 65536), line_price({}, 262144)) << "a smaller array is cheaper";
+}
+
 TEST(EnergyModel, AnEventCostsItsCountTimesItsPrice) {
   const auto count = [](const std::string& name, const std::string& block) {
     std::uint64_t sum = 0;

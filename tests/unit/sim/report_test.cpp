@@ -122,6 +122,11 @@ TEST(Numbers, AddUpOverFramesAndPeaksStayPeaks) {
   EXPECT_EQ(sum.statistics.back().block, "new");
 }
 
+TEST(Numbers, APeakIsKnownByItsName) {
+  for (const char* name : {"peak_queue", "max_depth", "queue_peak", "depth_max"}) EXPECT_TRUE(is_peak(name)) << name;
+  for (const char* name : {"speak_queue", "maximum", "peaks", "max", "misses"}) EXPECT_FALSE(is_peak(name)) << name;
+}
+
 TEST(Numbers, RatesAreAtTheConfiguredClock) {
   const auto derived = derived_numbers(totals_of(outcome()), 500);
   EXPECT_DOUBLE_EQ(number(derived, "fps"), 500e6 / 1000);

@@ -79,6 +79,11 @@ TEST(HostileZstd, ABlockThatIsTooLarge) {
               HasSubstr("a zstd block has no valid header"));
 }
 
+TEST(HostileZstd, ABlockThatIsLargerThanTheWindow) {
+  EXPECT_THAT(refusal_with(0, frame_of(500, {repeated_byte_block(501, true)})),
+              HasSubstr("a zstd block has no valid header"));
+}
+
 TEST(HostileZstd, ABlockOfTheReservedKind) {
   EXPECT_THAT(refusal_with(0, frame_of(100, {{0x07, 0, 0}})), HasSubstr("a zstd block has no valid header"));
 }

@@ -180,7 +180,8 @@ TEST(ValidateAccepts, TheEdgesOfTheRanges) {
   frame.lights[0].direction = {0, 0.9995f, 0};
   frame.lights[1].range = 0;  // of a directional light: not used
   frame.lights.resize(64);
-  frame.lights[5].direction = {};  // of a point light: not used
+  frame.lights[5].direction = {};                                                   // of a point light: not used
+  scene.name = "\xC2\xA0\xE0\xA0\x80\xED\x9F\xBF\xF0\x90\x80\x80\xF4\x8F\xBF\xBF";  // the first and last of a length
   EXPECT_EQ(message_of([&] { validate(scene, "here"); }), "");
   EXPECT_EQ(message_of([&] { validate(scene, frame, "here"); }), "");
 }
