@@ -57,10 +57,10 @@ TEST_F(BadGltfDetails, SamplersThatDoNotExist) {
 }
 
 TEST_F(BadGltfDetails, ListsOfOtherThings) {
-  g.j["materials"] = {7};
+  g.j["materials"] = Json::array({7});
   EXPECT_THAT(error(), HasSubstr("materials[0] is not an object"));
   g.j.erase("materials");
-  g.j["extensionsUsed"] = {Json::object()};
+  g.j["extensionsUsed"] = Json::array({Json::object()});
   EXPECT_THAT(error(), HasSubstr("extensionsUsed[0] is not a string"));
 }
 
@@ -101,8 +101,8 @@ TEST_F(BadGltfDetails, Cameras) {
 
 TEST_F(BadGltfDetails, Lights) {
   const auto lights = [&](const Json& light) {
-    g.j["extensionsUsed"] = {"KHR_lights_punctual"};
-    g.j["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+    g.j["extensionsUsed"] = Json::array({"KHR_lights_punctual"});
+    g.j["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({light});
     return error();
   };
   EXPECT_EQ(lights({{"type", "point"}}), "(no error)");
