@@ -4,6 +4,7 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "hw/fabric/simulation_context.h"
 #include "hw/watch/request_watch.h"
 #include "sim/driver/image_builder.h"
 #include "sim/driver/stack_check.h"
@@ -12,20 +13,6 @@
 namespace artu::sim {
 
 namespace {
-
-/// SystemC has one current context; each simulator has its own, so that a process can hold several.
-class Context {
- public:
-  Context() : own_(new sc_core::sc_simcontext), before_(sc_core::sc_curr_simcontext) { enter(); }
-  ~Context() {
-    if (sc_core::sc_curr_simcontext == own_) sc_core::sc_curr_simcontext = before_;
-  }
-  void enter() { sc_core::sc_curr_simcontext = sc_core::sc_default_global_context = own_; }
-
- private:
-  sc_core::sc_simcontext* own_;
-  sc_core::sc_simcontext* before_;
-};
 
 hw::RunMode mode_of(const SimulationOptions& options) {
   return {options.fidelity == Fidelity::clocked,
@@ -82,7 +69,7 @@ struct Simulator::Impl {
   const bool timeline;
   hw::MemoryImage image;
   ImageBuilder builder;
-  Context context;
+  hw::SimulationContext context;
   hw::RayTracingUnit unit;
   std::unique_ptr<hw::RequestWatch> requests;  // where somebody wants to know
 };

@@ -22,7 +22,7 @@ class Misreporting : public Dram {
 
 Strings violations_with(std::int64_t misreported, std::uint8_t written) {
   const UnitConfig config = TinyUnit::small();
-  Context context;
+  SimulationContext context;
   context.enter();
   TinyFrame tiny(21, 13);
   PixelRecords records(21 * 13);

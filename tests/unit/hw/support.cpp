@@ -2,14 +2,6 @@
 
 namespace artu::hw::test {
 
-Context::Context() : own_(new sc_core::sc_simcontext), before_(sc_core::sc_curr_simcontext) { enter(); }
-
-Context::~Context() {
-  if (sc_core::sc_curr_simcontext == own_) sc_core::sc_curr_simcontext = before_;
-}
-
-void Context::enter() { sc_core::sc_curr_simcontext = sc_core::sc_default_global_context = own_; }
-
 Activity Stopper::tick(Cycle now) {
   if (now == at) {
     domain().finish();

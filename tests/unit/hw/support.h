@@ -12,20 +12,9 @@
 #include <vector>
 
 #include "hw/fabric/memory_port.h"
+#include "hw/fabric/simulation_context.h"
 
 namespace artu::hw::test {
-
-/// SystemC has one current context; each bench has its own, so that a process can hold many.
-class Context {
- public:
-  Context();
-  ~Context();
-  void enter();
-
- private:
-  sc_core::sc_simcontext* own_;
-  sc_core::sc_simcontext* before_;
-};
 
 /// Ends the run in a given cycle; in no other one it does anything.
 class Stopper : public Block {
@@ -76,7 +65,7 @@ class Bench {
   const std::vector<Channel*>& channels() const { return channels_; }
 
  private:
-  Context context_;
+  SimulationContext context_;
 
  public:
   Timeline timeline;

@@ -31,7 +31,7 @@ struct TinyUnit {
   std::vector<PixelTuple> pixels() const;
   std::uint64_t statistic(const FrameResult& result, const std::string& block, const std::string& name) const;
 
-  Context context;
+  SimulationContext context;
   TinyFrame tiny;
   PixelRecords records;
   RayTracingUnit unit;

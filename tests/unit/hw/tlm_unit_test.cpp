@@ -58,7 +58,7 @@ struct Platform {
     return {memory.bytes.begin() + static_cast<long>(begin), memory.bytes.begin() + static_cast<long>(begin + bytes)};
   }
 
-  Context context;
+  SimulationContext context;
   TinyFrame tiny;
   PixelRecords records;
   TestHost host;
