@@ -51,8 +51,8 @@ double tracing_time(const hw::UnitConfig& config, const PassDemand& demand) {
 }
 
 /// What each resource needs for the passes on its own.
-std::vector<Bound> bounds_of(const hw::UnitConfig& config, const PassDemand& demand) {
-  std::vector<Bound> bounds;
+std::vector<CycleBound> bounds_of(const hw::UnitConfig& config, const PassDemand& demand) {
+  std::vector<CycleBound> bounds;
   for (const Station& station : demand.stations) bounds.push_back({station.name, station.demand});
   const DramService dram(config, demand.dram);
   bounds.push_back({"DRAM buses", (demand.dram.reads + demand.dram.writes) * bus_cycles(config)});

@@ -27,15 +27,15 @@ struct FrameLoad {
 };
 
 /// The passes take no less cycles than this.
-struct Bound {
+struct CycleBound {
   std::string resource;
   double cycles = 0;
 };
 
 struct CycleEstimate {
   double start = 0, build = 0, first = 0, selective = 0, flush = 0;
-  double tracing = 0;         // of the cores alone, in the passes
-  std::vector<Bound> bounds;  // of the passes, and "latency": as many pixels in flight as there are contexts
+  double tracing = 0;              // of the cores alone, in the passes
+  std::vector<CycleBound> bounds;  // of the passes, and "latency": as many pixels in flight as there are contexts
   double total() const { return start + build + first + selective + flush; }
 };
 

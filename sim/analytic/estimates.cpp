@@ -69,7 +69,7 @@ hw::Statistics statistics_of(const hw::UnitConfig& config, const FrameLoad& load
   const double contexts = static_cast<double>(config.core.count) * config.core.contexts;
   add("core.ray_generator", "context_cycles", whole(contexts * std::min(estimate.tracing, passes)), "cycles",
       "pixels were in flight, summed over them: estimated");
-  for (const Bound& bound : estimate.bounds) {
+  for (const CycleBound& bound : estimate.bounds) {
     add("bound", counter_name(bound.resource), whole(bound.cycles), "cycles",
         "the passes cannot take fewer, by what they ask of: " + bound.resource);
   }

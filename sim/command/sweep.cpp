@@ -46,7 +46,7 @@ class PointRun {
  public:
   PointRun(const Grid& grid, const SweepFolder& folder) : grid_(grid), folder_(folder) {}
 
-  void simulate(const SweepPoint& point, LoadedScene& scene) const {
+  void simulate(const SweepPoint& point, SweepScene& scene) const {
     const std::string place = folder_.unfinished(point.name);
     try {
       RunOptions run = run_of(grid_, point);
@@ -152,7 +152,7 @@ class Sweep {
 
   /// Where the scene cannot have such a tree, the point's process finds that out again, and says so.
   void build_trees(const SweepPoint& point) {
-    LoadedScene& scene = scenes_.of(point.scene);
+    SweepScene& scene = scenes_.of(point.scene);
     try {
       scene.trees.of(point.unit.accel);
     } catch (const InputError&) {

@@ -11,19 +11,19 @@ namespace {
 
 constexpr int deepest = 16;  // ours are nested no more than 8 times; writing a value goes down by recursion
 
-bool is(const OrderedJson& json, Shape::Kind kind) {
+bool is(const OrderedJson& json, JsonShape::Kind kind) {
   switch (kind) {
-    case Shape::Kind::object:
+    case JsonShape::Kind::object:
       return json.is_object();
-    case Shape::Kind::array:
+    case JsonShape::Kind::array:
       return json.is_array();
-    case Shape::Kind::string:
+    case JsonShape::Kind::string:
       return json.is_string();
-    case Shape::Kind::number:
+    case JsonShape::Kind::number:
       return json.is_number();
-    case Shape::Kind::number_list:
+    case JsonShape::Kind::number_list:
       return json.is_array() && std::all_of(json.begin(), json.end(), [](const auto& v) { return v.is_number(); });
-    case Shape::Kind::numbers:
+    case JsonShape::Kind::numbers:
       if (!json.is_object()) return false;
       for (const auto& value : json) {
         if (!value.is_number() && !value.is_null()) return false;
@@ -33,7 +33,7 @@ bool is(const OrderedJson& json, Shape::Kind kind) {
   throw std::logic_error("no such kind");
 }
 
-const char* name_of(Shape::Kind kind) {
+const char* name_of(JsonShape::Kind kind) {
   static const char* const names[] = {"an object",        "a list", "a text", "a number", "an object of numbers",
                                       "a list of numbers"};
   return names[static_cast<std::size_t>(kind)];
@@ -56,7 +56,7 @@ OrderedJson read_json(const std::string& file) {
   }
 }
 
-const OrderedJson& Shape::need(const OrderedJson& json, const std::vector<std::string>& keys, Kind kind) const {
+const OrderedJson& JsonShape::need(const OrderedJson& json, const std::vector<std::string>& keys, Kind kind) const {
   const OrderedJson* value = &json;
   std::string path;
   for (const std::string& key : keys) {
@@ -68,7 +68,7 @@ const OrderedJson& Shape::need(const OrderedJson& json, const std::vector<std::s
   return *value;
 }
 
-void Shape::fail(const std::string& what, const std::string& right) const {
+void JsonShape::fail(const std::string& what, const std::string& right) const {
   throw InputError(file_, what + "; " + right + " would be right");
 }
 

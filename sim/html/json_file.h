@@ -13,9 +13,9 @@ using OrderedJson = nlohmann::ordered_json;
 OrderedJson read_json(const std::string& file);
 
 /// What a file must have, or InputError with the file's name and the path of what is wrong.
-class Shape {
+class JsonShape {
  public:
-  explicit Shape(std::string file) : file_(std::move(file)) {}
+  explicit JsonShape(std::string file) : file_(std::move(file)) {}
   enum class Kind { object, array, string, number, numbers, number_list };
   /// json[keys[0]][keys[1]]...; `numbers` is an object whose values are numbers, or null for what is not finite.
   const OrderedJson& need(const OrderedJson& json, const std::vector<std::string>& keys, Kind kind) const;

@@ -28,11 +28,11 @@ namespace artu::sim {
 namespace fs = std::filesystem;
 namespace {
 
-using Kind = Shape::Kind;
+using Kind = JsonShape::Kind;
 
 OrderedJson read_manifest(const std::string& file) {
   OrderedJson manifest = read_json(file);
-  const Shape shape(file);
+  const JsonShape shape(file);
   if (shape.need(manifest, {"program"}, Kind::string) != "artu") shape.fail("is of another program", "artu's");
   shape.need(manifest, {"version"}, Kind::string);
   for (const OrderedJson& word : shape.need(manifest, {"command"}, Kind::array)) {
@@ -46,7 +46,7 @@ OrderedJson read_manifest(const std::string& file) {
 }
 
 /// What frames and totals both have.
-void check_counts(const Shape& shape, const OrderedJson& json) {
+void check_counts(const JsonShape& shape, const OrderedJson& json) {
   for (const char* key : {"rays", "pixels", "candidates", "triangles"}) shape.need(json, {key}, Kind::numbers);
   const OrderedJson& blocks = shape.need(json, {"blocks"}, Kind::object);
   for (const auto& [block, counters] : blocks.items()) shape.need(blocks, {block}, Kind::numbers);
@@ -54,7 +54,7 @@ void check_counts(const Shape& shape, const OrderedJson& json) {
 
 OrderedJson read_stats(const std::string& file) {
   OrderedJson stats = read_json(file);
-  const Shape shape(file);
+  const JsonShape shape(file);
   if (shape.need(stats, {"schema"}, Kind::number) != StatsJson::schema) {
     shape.fail(fmt::format("has schema {}", stats["schema"].dump()), fmt::format("schema {}", StatsJson::schema));
   }
@@ -114,7 +114,7 @@ OrderedJson explanation_of(const std::string& folder) {
 }
 
 /// A frame of timeline.json.
-void check_timeline(const Shape& shape, const OrderedJson& frame) {
+void check_timeline(const JsonShape& shape, const OrderedJson& frame) {
   for (const char* key : {"index", "cycles", "interval"}) shape.need(frame, {key}, Kind::number);
   const std::size_t looks = shape.need(frame, {"at"}, Kind::number_list).size();
   if (looks == 0) shape.fail("at is empty", "one look or more");
@@ -150,7 +150,7 @@ OrderedJson read_timeline(const std::string& file) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return {};
   OrderedJson timeline = read_json(file);
-  const Shape shape(file);
+  const JsonShape shape(file);
   if (shape.need(timeline, {"schema"}, Kind::number) != TimelineJson::schema) {
     shape.fail(fmt::format("has schema {}", timeline["schema"].dump()), fmt::format("schema {}", TimelineJson::schema));
   }

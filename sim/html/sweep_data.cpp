@@ -14,7 +14,7 @@ namespace artu::sim {
 namespace fs = std::filesystem;
 namespace {
 
-using Kind = Shape::Kind;
+using Kind = JsonShape::Kind;
 constexpr int sweep_schema = 1;
 
 OrderedJson cell_of(const std::string& text) {
@@ -27,7 +27,7 @@ OrderedJson cell_of(const std::string& text) {
 
 OrderedJson read_description(const std::string& file) {
   OrderedJson description = read_json(file);
-  const Shape shape(file);
+  const JsonShape shape(file);
   if (shape.need(description, {"schema"}, Kind::number) != sweep_schema) {
     shape.fail("has schema " + description["schema"].dump(), "schema 1");
   }

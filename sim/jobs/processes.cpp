@@ -63,7 +63,7 @@ class Pool {
   const std::uint64_t count_, lead_;
   std::uint64_t given_ = 0, taken_ = 0;
   std::vector<std::unique_ptr<Worker>> workers_;
-  std::map<std::uint64_t, Answer> answers_;  // by task, those that are not taken yet
+  std::map<std::uint64_t, WorkerAnswer> answers_;  // by task, those that are not taken yet
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ namespace artu::sim {
 namespace {
 
 struct Header {
-  Answer::Kind kind;
+  WorkerAnswer::Kind kind;
   std::uint64_t size;
 };
 
@@ -54,17 +54,17 @@ bool receive_all(int fd, void* bytes, std::size_t count) {
   return true;
 }
 
-Answer answer_to(std::uint64_t task, const Worker::Work& work) {
+WorkerAnswer answer_to(std::uint64_t task, const Worker::Work& work) {
   try {
-    return {Answer::Kind::result, work(task)};
+    return {WorkerAnswer::Kind::result, work(task)};
   } catch (const InputError& error) {
-    return {Answer::Kind::input_error, error.what()};
+    return {WorkerAnswer::Kind::input_error, error.what()};
   } catch (const DeadLock& error) {
-    return {Answer::Kind::dead_lock, error.what()};
+    return {WorkerAnswer::Kind::dead_lock, error.what()};
   } catch (const std::bad_alloc&) {
-    return {Answer::Kind::out_of_memory, ""};
+    return {WorkerAnswer::Kind::out_of_memory, ""};
   } catch (const std::exception& error) {
-    return {Answer::Kind::internal, error.what()};
+    return {WorkerAnswer::Kind::internal, error.what()};
   }
 }
 
@@ -76,7 +76,7 @@ Answer answer_to(std::uint64_t task, const Worker::Work& work) {
   if (getppid() != parent) _exit(0);
   begin_forked_process();
   for (std::uint64_t task; receive_all(fd, &task, sizeof task);) {
-    const Answer answer = answer_to(task, work);
+    const WorkerAnswer answer = answer_to(task, work);
     write_line_counts();  // who has the answer may kill us
     Header header;
     std::memset(&header, 0, sizeof header);
@@ -89,7 +89,7 @@ Answer answer_to(std::uint64_t task, const Worker::Work& work) {
 
 }  // namespace
 
-const std::string& Answer::result() const {
+const std::string& WorkerAnswer::result() const {
   switch (kind) {
     case Kind::result:
       return bytes;
@@ -145,7 +145,7 @@ void Worker::give(std::uint64_t task) {
   if (!send_all(fd_, &task, sizeof task)) ended();
 }
 
-std::optional<Answer> Worker::receive() {
+std::optional<WorkerAnswer> Worker::receive() {
   char buffer[1 << 16];
   while (true) {
     const ssize_t got = recv(fd_, buffer, sizeof buffer, MSG_DONTWAIT);
@@ -157,14 +157,14 @@ std::optional<Answer> Worker::receive() {
     if (received_.size() < sizeof header) continue;
     std::memcpy(&header, received_.data(), sizeof header);
     if (received_.size() - sizeof header < header.size) continue;
-    Answer answer{header.kind, received_.substr(sizeof header)};
+    WorkerAnswer answer{header.kind, received_.substr(sizeof header)};
     received_.clear();
     task_.reset();
     return answer;
   }
 }
 
-Answer Worker::wait() {
+WorkerAnswer Worker::wait() {
   while (true) {
     pollfd polled{fd_, POLLIN, 0};
     if (poll(&polled, 1, -1) < 0 && errno != EINTR) throw std::system_error(errno, std::generic_category(), "poll");

@@ -15,7 +15,7 @@
 namespace artu::sim {
 
 /// What `work` made of a task, or threw.
-struct Answer {
+struct WorkerAnswer {
   enum class Kind : std::uint8_t { result, input_error, dead_lock, out_of_memory, internal } kind = Kind::result;
   std::string bytes;  // the result, or what() of the exception
 
@@ -38,9 +38,9 @@ class Worker {
   std::uint64_t task() const { return *task_; }
   void give(std::uint64_t task);
   /// Reads what has come, without waiting; the answer when it is whole.  Throws where the process has ended.
-  std::optional<Answer> receive();
+  std::optional<WorkerAnswer> receive();
   /// Until there is one.
-  Answer wait();
+  WorkerAnswer wait();
 
  private:
   [[noreturn]] void ended();

@@ -13,8 +13,8 @@
 
 namespace artu::sim {
 
-struct LoadedScene {
-  LoadedScene(const SourceOptions& options, std::vector<std::string>& log)
+struct SweepScene {
+  SweepScene(const SourceOptions& options, std::vector<std::string>& log)
       : source(options, log), trees(source.scene()) {}
   MemoryMeter memory;  // from before the scene was loaded
   FrameSource source;
@@ -25,14 +25,14 @@ class SweepScenes {
  public:
   explicit SweepScenes(const std::vector<SourceOptions>& scenes) : scenes_(scenes) {}
   /// Loads it if it is not there.
-  LoadedScene& of(std::size_t scene);
+  SweepScene& of(std::size_t scene);
   void release(std::size_t scene) { loaded_.erase(scene); }
   /// The importer's notes on all that were loaded.
   const std::vector<std::string>& log() const { return log_; }
 
  private:
   const std::vector<SourceOptions>& scenes_;
-  std::map<std::size_t, std::unique_ptr<LoadedScene>> loaded_;
+  std::map<std::size_t, std::unique_ptr<SweepScene>> loaded_;
   std::set<std::size_t> noted_;
   std::vector<std::string> log_;
 };
