@@ -97,7 +97,7 @@ void ClockDomain::schedule() {
   const Tick tick = next_tick();
   if (tick == never) return;
   const sc_core::sc_time at = time_of(tick);
-  const sc_core::sc_time present = sc_core::sc_time_stamp();
+  const sc_core::sc_time& present = sc_core::sc_time_stamp();
   due_.cancel();
   due_.notify(at > present ? at - present : sc_core::SC_ZERO_TIME);
 }

@@ -10,7 +10,7 @@ using ::testing::HasSubstr;
 class GltfMaterial : public ImportTest {
  protected:
   traces::Material only(const Json& material) {
-    g.j["materials"] = {material};
+    g.j["materials"] = Json::array({material});
     g.j["nodes"] = Json::array();
     g.j["scenes"] = {{{"nodes", Json::array()}}};
     return open(g).scene().materials.at(0);

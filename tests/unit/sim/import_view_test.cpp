@@ -25,7 +25,7 @@ class View : public ImportTest {
   void light(const Json& light, const Json& node) {
     g.triangle();
     g.j["extensionsUsed"] = {"KHR_lights_punctual"};
-    g.j["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+    g.j["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({light});
     Json with = node;
     with["extensions"]["KHR_lights_punctual"]["light"] = 0;
     g.j["nodes"] = {with, {{"mesh", 0}}};
