@@ -56,7 +56,6 @@ std::string reuse_script(const std::vector<CacheReuse>& kinds, const std::string
   std::string curves, sets;
   std::size_t number = 0;
   const auto count = static_cast<std::size_t>(std::count_if(kinds.begin(), kinds.end(), drawn));
-  std::vector<std::uint64_t> frames;
   for (const CacheReuse& k : kinds) {
     if (!drawn(k)) continue;
     const char* color = colors[number % std::size(colors)];
