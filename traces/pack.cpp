@@ -68,6 +68,7 @@ std::pair<const T*, std::size_t> slice(const std::vector<T>& all, std::uint32_t 
 
 template <typename To, typename From>
 auto structs(FlatBufferBuilder& b, std::pair<const From*, std::size_t> s) {
+  // NOLINTNEXTLINE(misc-redundant-expression): they are of two types.
   static_assert(sizeof(To) == sizeof(From) && alignof(To) == alignof(From));
   return b.CreateVectorOfStructs(reinterpret_cast<const To*>(s.first), s.second);
 }

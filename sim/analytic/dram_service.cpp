@@ -35,9 +35,11 @@ DramService::DramService(const hw::UnitConfig& config, const DramLoad& load) {
   std::vector<Station> all = stations;
   for (Station& station : all) station.demand *= many;
   const double most = std::max(1.0, config.memory.l2.mshrs * calibrated.l2_mshrs);
-  for (double n = 1;; n = std::min(most, std::max(n + 1, n * 1.5))) {
+  double n = 1;
+  while (true) {
     curve_.push_back({n, many / closed_network(all, delay * many, n, many, calibrated.dram_queueing)});
     if (n >= most) break;
+    n = std::min(most, std::max(n + 1, n * 1.5));
   }
 }
 

@@ -14,7 +14,7 @@ std::uint64_t all(std::uint64_t sampled) { return sampled * sample_factor; }
 std::uint64_t whole(double cycles) { return static_cast<std::uint64_t>(std::llround(cycles)); }
 
 /// "DRAM buses" -> "dram_buses"
-std::string counter_name(std::string name) {
+std::string counter_name(const std::string& name) {
   std::string out;
   for (const char c : name) {
     out += c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

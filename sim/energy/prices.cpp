@@ -22,7 +22,7 @@ double line_price(const hw::EnergyConfig& energy, std::uint32_t size) {
   // Doublings are multiplied, not raised to a power: a product has the same bits on every machine.
   constexpr std::uint32_t published_size = 8192, published_bytes = 8;
   const double growth = energy.sram.growth;
-  double price = energy.sram.access * double{hw::line_bytes / published_bytes} * energy.scale;
+  double price = energy.sram.access * (double{hw::line_bytes} / published_bytes) * energy.scale;
   for (std::uint32_t s = published_size; s < size; s *= 2) price *= growth;
   for (std::uint32_t s = published_size; s > size; s /= 2) price /= growth;
   return price;

@@ -17,7 +17,7 @@ Json parse(const std::string& file) {
   if (!std::filesystem::exists(file)) {
     throw InputError(file, "is not there; a folder that `artu run` has written would be right");
   }
-  const Json json = Json::parse(read_file(file), nullptr, false);
+  Json json = Json::parse(read_file(file), nullptr, false);
   if (json.is_discarded()) throw InputError(file, "is not JSON; a folder that `artu run` has written would be right");
   return json;
 }

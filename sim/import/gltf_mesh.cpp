@@ -15,7 +15,7 @@ int attribute(const Attributes& attributes, const std::string& name) {
   return it == attributes.end() ? -1 : it->second;
 }
 
-std::uint32_t code(float v) { return static_cast<std::uint32_t>(std::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f); }
+std::uint32_t code(float v) { return static_cast<std::uint32_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * 255.0f)); }
 
 class PrimitiveReader {
  public:

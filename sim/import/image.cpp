@@ -33,7 +33,8 @@ std::array<double, 4> mean_of(const DecodedImage& image, Decode decode) {
   std::array<std::array<std::uint64_t, 256>, 4> histogram{};
   for (std::size_t i = 0; i < image.rgba.size(); ++i) ++histogram[i % 4][image.rgba[i]];
   std::array<double, 4> mean{};
-  const double count = static_cast<double>(image.rgba.size() / 4);
+  const std::size_t pixels = image.rgba.size() / 4;
+  const double count = static_cast<double>(pixels);
   for (int c = 0; c < 4; ++c) {
     double sum = 0;
     for (int code = 0; code < 256; ++code)

@@ -88,6 +88,7 @@ void Processor::render() {
   write(reg::descriptor_lo, static_cast<std::uint32_t>(descriptor_));
   write(reg::descriptor_hi, static_cast<std::uint32_t>(descriptor_ >> 32));
   write(reg::control, hw::control_start | hw::control_interrupt_enable);
+  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): a reference would go on with the time.
   const sc_core::sc_time start = sc_core::sc_time_stamp();
   if (!interrupt.read()) wait(interrupt.posedge_event());
   frame_time = sc_core::sc_time_stamp() - start;

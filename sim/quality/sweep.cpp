@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -167,7 +168,7 @@ QualityRow Sweep::baseline(const char* name, Image (*made)(const Image&),
     row.traced += pixels(full.image.width, full.image.height);
   }
   // Rays of a pixel are not counted one by one: the full render's mean stands for them.
-  row.rays = static_cast<std::uint64_t>(static_cast<double>(full_rays_) * row.traced_share() + 0.5);
+  row.rays = static_cast<std::uint64_t>(std::llround(static_cast<double>(full_rays_) * row.traced_share()));
   return row;
 }
 

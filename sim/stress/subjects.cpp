@@ -120,7 +120,7 @@ SubjectPointer walker(std::string name, std::shared_ptr<const LaidDown> laid, co
   return std::make_unique<Walker>(std::move(name), std::move(laid), tests);
 }
 
-SubjectPointer golden_traversal(std::shared_ptr<const ref::Tracer> tracer) {
+SubjectPointer golden_traversal(const std::shared_ptr<const ref::Tracer>& tracer) {
   return std::make_unique<GoldenTraversal>(tracer, ref::Extent(), tracer, false);
 }
 

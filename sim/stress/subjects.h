@@ -22,7 +22,7 @@ std::shared_ptr<const LaidDown> lay_down(const StressGeometry& geometry, hw::Tre
 SubjectPointer brute_force(const std::vector<Corners>& triangles, const hw::HitTests& tests = hw::HitTests());
 SubjectPointer walker(std::string name, std::shared_ptr<const LaidDown> laid,
                       const hw::HitTests& tests = hw::HitTests());
-SubjectPointer golden_traversal(std::shared_ptr<const ref::Tracer> tracer);
+SubjectPointer golden_traversal(const std::shared_ptr<const ref::Tracer>& tracer);
 /// The farther the origins and the narrower the format, the wider Embree's boxes, up to testing every triangle: `near`
 /// answers rays from within `origins`, `far` all others.
 SubjectPointer golden_traversal(std::shared_ptr<const ref::Tracer> near, const ref::Extent& origins,

@@ -45,7 +45,7 @@ std::string submit(const SweepFolder& folder, const SlurmJob& job) {
                                  "be right",
                                  result.err.empty() ? "failed" : result.err));
   }
-  const std::string id = result.out.substr(0, result.out.find_first_of(";\n"));
+  std::string id = result.out.substr(0, result.out.find_first_of(";\n"));
   write_durably(folder.file("slurm/job"), id + "\n");
   return id;
 }

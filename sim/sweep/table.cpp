@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json parse(const std::string& file) {
-  const Json json = Json::parse(read_file(file), nullptr, false);
+  Json json = Json::parse(read_file(file), nullptr, false);
   if (!json.is_object()) throw InputError(file, "is no JSON object; the folder without this point would be right");
   return json;
 }

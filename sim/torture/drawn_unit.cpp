@@ -86,7 +86,7 @@ std::vector<std::string> draw_assignments(Random& random) {
 }
 
 std::vector<std::string> draw_unit(Random& random) {
-  const std::vector<std::string> drawn = draw_assignments(random);
+  std::vector<std::string> drawn = draw_assignments(random);
   if (accepted(drawn)) return drawn;
   std::vector<std::string> kept;
   for (const std::string& assignment : drawn) {
