@@ -7,7 +7,6 @@ namespace artu::test {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 class FaultTest : public ProgramTest {
  protected:

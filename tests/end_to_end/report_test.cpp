@@ -104,7 +104,7 @@ TEST_F(SweepReportTest, BrokenSweepsAreRefused) {
   const auto with = [this](const std::string& file, const std::string& text) {
     const std::string whole = read("out/" + file);
     write("out/" + file, text);
-    const std::string line = refused({"report", "out"});
+    std::string line = refused({"report", "out"});
     write("out/" + file, whole);
     return line;
   };
@@ -192,7 +192,7 @@ TEST_F(ReportTest, BrokenFilesAreRefused) {
   const auto breaks = [this](const std::string& file, const std::string& text) {
     const std::string whole = read("out/" + file);
     write("out/" + file, text);
-    const std::string line = refused({"report", "out"});
+    std::string line = refused({"report", "out"});
     write("out/" + file, whole);
     EXPECT_THAT(line, HasSubstr("out/" + file));
     return line;

@@ -14,8 +14,6 @@
 namespace artu::test {
 namespace {
 
-namespace fs = std::filesystem;
-
 class SweepKillTest : public ProgramTest {
  protected:
   SweepKillTest() {

@@ -44,7 +44,7 @@ Sandbox::~Sandbox() {
 }
 
 std::string Sandbox::write(const std::string& name, const std::uint8_t* bytes, std::size_t size) const {
-  const std::string path = path_ + "/" + name;
+  std::string path = path_ + "/" + name;
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   file.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
   file.close();
@@ -57,7 +57,8 @@ std::string Sandbox::write(const std::string& name, const std::string& bytes) co
 }
 
 std::string Sandbox::write_folder(const std::string& name, const std::string& text) const {
-  const std::string folder = path_ + "/" + name, mark = "%FILE ";
+  const std::string mark = "%FILE ";
+  std::string folder = path_ + "/" + name;
   std::filesystem::remove_all(folder);
   std::filesystem::create_directory(folder);
   for (std::size_t at = text.find(mark); at != std::string::npos;) {

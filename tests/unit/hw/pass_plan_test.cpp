@@ -37,7 +37,7 @@ TEST(PassPlan, HasTwoOrThreePassesALevel) {
 }
 
 TEST(PassPlan, PassesAreThoseOfTheTables) {
-  const auto expect = [](const Pass& p, std::uint32_t h, PassKind kind, std::vector<std::uint32_t> grid) {
+  const auto expect = [](const Pass& p, std::uint32_t h, PassKind kind, const std::vector<std::uint32_t>& grid) {
     EXPECT_EQ(p.h, h);
     EXPECT_EQ(p.kind, kind);
     EXPECT_EQ((std::vector<std::uint32_t>{p.x0, p.dx, p.y0, p.dy}), grid);

@@ -99,7 +99,8 @@ TEST(TlmMemoryBridge, ARequestWaitsUntilTheOneBeforeHasEnded) {
 TEST(TlmMemoryBridge, AnswersThatComeTogetherAreGivenOneACycle) {
   BridgeBench b;
   b.memory.latency_of = [](const tlm::tlm_generic_payload& p) {
-    return sc_time(100 - static_cast<double>((p.get_address() - base) / 64), sc_core::SC_NS);
+    const std::uint64_t line = (p.get_address() - base) / 64;
+    return sc_time(100 - static_cast<double>(line), sc_core::SC_NS);
   };
   for (Cycle i = 0; i < 8; ++i) b.read(10 + i, 64 * (i + 1), static_cast<std::uint32_t>(i));
   EXPECT_EQ(b.run(), every(10 + 99 + 1 + 1, 8)) << "all are ready at 109 ns";

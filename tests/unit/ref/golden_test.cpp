@@ -12,7 +12,6 @@ namespace artu::ref {
 namespace {
 
 using testing::add_floor;
-using testing::add_triangle;
 using traces::Frame;
 using traces::Material;
 using traces::Scene;

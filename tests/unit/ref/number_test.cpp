@@ -18,7 +18,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 
 template <class F>
 bool same(F a, F b) {
-  return a != a ? b != b : a == b && std::signbit(a) == std::signbit(b);
+  return std::isnan(a) ? std::isnan(b) : a == b && std::signbit(a) == std::signbit(b);
 }
 
 // The definition: the nearest multiple of the quantum, which is exact in both types.

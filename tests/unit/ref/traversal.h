@@ -19,7 +19,7 @@ inline std::uint32_t bits(float x) {
 }
 
 inline float power_of_two(Random& random, int lo, int hi) {
-  return std::ldexp(1.0f, lo + static_cast<int>(random.below(static_cast<std::size_t>(hi - lo + 1))));
+  return std::ldexp(1.0f, lo + static_cast<int>(random.below(static_cast<std::size_t>(hi - lo) + 1)));
 }
 
 /// Half of them slivers, nearly degenerate or flat boxes.

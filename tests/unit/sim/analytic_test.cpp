@@ -38,13 +38,13 @@ TEST(ClosedNetwork, IsExactForBalancedNetworks) {
 
 TEST(ClosedNetwork, MoreOfAnythingNeverHelpsAndMoreCustomersNeverHurt) {
   double before = 0;
-  for (double demand = 0; demand < 500; demand += 50) {
+  for (const double demand : {0, 50, 100, 150, 200, 250, 300, 350, 400, 450}) {
     const double time = closed_network({{"a", demand, 1}, {"b", 200, 4}}, 3000, 16, 1000, 0.9);
     EXPECT_GE(time, before);
     before = time;
   }
   before = 1e300;
-  for (double customers = 1; customers < 100; customers *= 2) {
+  for (const double customers : {1, 2, 4, 8, 16, 32, 64}) {
     const double time = closed_network({{"a", 100, 1}, {"b", 200, 4}}, 3000, customers, 1000, 0.9);
     EXPECT_LE(time, before);
     before = time;
@@ -130,7 +130,7 @@ TEST(DramService, IsNoFasterThanItsBusesAndSlowerWithMoreTraffic) {
   EXPECT_LT(both.most(), reads.most());
   EXPECT_LT(misses.most(), reads.most());
   double before = 0;
-  for (double share = 0.1; share < 1; share += 0.2) {
+  for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9}) {
     const double response = reads.response(share * reads.most());
     EXPECT_GE(response, before);
     before = response;

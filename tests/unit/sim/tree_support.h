@@ -93,7 +93,7 @@ inline traces::Mesh heights(int side) {
   traces::Mesh mesh;
   const auto point = [&](int x, int z) {
     const float scale = 2.0f / static_cast<float>(side);
-    return hw::Vector{static_cast<float>(x) * scale - 1, height[static_cast<std::size_t>(z * (side + 1) + x)],
+    return hw::Vector{static_cast<float>(x) * scale - 1, height[static_cast<std::size_t>(z) * (side + 1) + x],
                       static_cast<float>(z) * scale - 1};
   };
   for (int z = 0; z < side; ++z) {

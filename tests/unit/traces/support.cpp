@@ -27,6 +27,7 @@ bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
 template <typename T>
 void expect_bytes(const T& a, const T& b, const char* what) {
   static_assert(std::is_trivially_copyable_v<T>);
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bits are compared, those of numbers, too.
   EXPECT_EQ(std::memcmp(&a, &b, sizeof(T)), 0) << what;
 }
 
@@ -224,7 +225,7 @@ std::string refusal(const Raw& file) {
   static const TempFolder folder;
   const std::string path = folder / "t.artu";
   write_file(path, file);
-  const std::string message = message_of([&] { read_all(path); });
+  std::string message = message_of([&] { read_all(path); });
   if (message.empty()) return message;
   EXPECT_EQ(message.find(path + ": "), 0u) << message;  // every refusal names the file
   return message.substr(path.size() + 2);
