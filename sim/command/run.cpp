@@ -125,7 +125,8 @@ RunResult run_sample(const FrameRun& run, const FrameSource& source, const hw::U
   FrameSample sample(looks.costs, options.simulation.seed);
   std::vector<FrameReport> frames;
   std::vector<Totals> totals;
-  std::uint32_t wanted = options.sample.first(range.count());
+  const std::uint32_t most = sample.different_frames();
+  std::uint32_t wanted = options.sample.first(most);
   do {
     std::vector<std::uint32_t> next = sample.draw(wanted);
     for (std::uint32_t& frame : next) frame += range.first;
@@ -135,9 +136,10 @@ RunResult run_sample(const FrameRun& run, const FrameSource& source, const hw::U
       totals.push_back(frame.totals);
       progress.one_done();
     });
-    wanted = options.sample.needed(range.count(), sample.drawn(), estimate_cycles(sample, totals).relative_error());
+    wanted = options.sample.needed(most, sample.drawn(), estimate_cycles(sample, totals).relative_error());
   } while (wanted > sample.drawn());
   RunResult result;
+  result.different_frames = most;
   result.sum = estimate_totals(sample, totals, unit);
   result.sum.simulation_seconds += looks.seconds;
   std::sort(frames.begin(), frames.end(), [](const FrameReport& a, const FrameReport& b) { return a.index < b.index; });
@@ -220,6 +222,7 @@ RunResult run_frames(const RunOptions& options, const hw::UnitConfig& unit, cons
   manifest.checked = options.check;
   manifest.simulation = options.simulation;
   manifest.simulated_frames = result.simulated;
+  manifest.different_frames = result.different_frames;
   report->finish(result.sum, unit, manifest, golden ? &result.check : nullptr);
   return result;
 }
@@ -270,7 +273,8 @@ int run_command(const RunOptions& options) {
                                      source.range().last, unit.clock_mhz},
                                     result.sum, energy ? &*energy : nullptr, limits));
     if (!result.simulated.empty()) {
-      fmt::print("{:<12}{} of {} frames simulated\n", "sample", result.simulated.size(), result.sum.frames);
+      fmt::print("{:<12}{} of {} frames simulated, of which {} are different\n", "sample", result.simulated.size(),
+                 result.sum.frames, result.different_frames);
     }
     print_traces(report->traces());
     if (!report->folder().empty()) fmt::print("{:<12}{}\n", "report", report->folder());

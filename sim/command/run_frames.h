@@ -14,6 +14,7 @@ namespace artu::sim {
 struct RunResult {
   Totals sum;
   std::vector<std::uint32_t> simulated;  // frames, with `sampled`
+  std::uint32_t different_frames = 0;    // the same: of all, equal ones once
   CheckResult check;
   bool lawful = true;  // no accounting law is violated
 };

@@ -21,7 +21,10 @@ std::string to_json(const Manifest& m) {
       // A run with an injected fault is not one of the unit, and must not pass for it.
       {"falsified", m.simulation.fault.datapath != hw::Datapath::none},
   };
-  if (m.simulation.fidelity == Fidelity::sampled) json["simulated_frames"] = m.simulated_frames;
+  if (m.simulation.fidelity == Fidelity::sampled) {
+    json["simulated_frames"] = m.simulated_frames;
+    json["different_frames"] = m.different_frames;
+  }
   // A file name need not be UTF-8; JSON must be.
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -21,6 +21,7 @@ struct Manifest {
   bool checked = false;
   SimulationOptions simulation;
   std::vector<std::uint32_t> simulated_frames;  // with `sampled`
+  std::uint32_t different_frames = 0;           // the same: of all, equal ones once
 };
 
 std::string to_json(const Manifest& manifest);

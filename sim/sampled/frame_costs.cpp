@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <numeric>
+#include <utility>
 
 #include "hw/functional/functional_unit.h"
 #include "sim/driver/image_builder.h"
 #include "sim/driver/stack_check.h"
+#include "sim/report/digest.h"
+#include "traces/pack.h"
 
 namespace artu::sim {
 
@@ -17,6 +21,26 @@ hw::UnitConfig without_selective(hw::UnitConfig unit) {
   return unit;
 }
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point before) { return std::chrono::duration<double>(Clock::now() - before).count(); }
+
+/// Of all that is in a frame but its index and time.
+FrameDigest digest_of(traces::Frame& frame) {
+  const std::uint32_t index = std::exchange(frame.index, 0);
+  const double time = std::exchange(frame.time, 0);
+  std::string parts;
+  traces::pack(frame, [&](const std::uint8_t* data, std::size_t size) {
+    parts += sha256_of({reinterpret_cast<const char*>(data), size});
+  });
+  frame.index = index;
+  frame.time = time;
+  const std::string whole = sha256_of(parts);
+  FrameDigest digest{};
+  std::copy(whole.begin(), whole.end(), digest.begin());
+  return digest;
+}
+
 std::uint32_t reduced(std::uint32_t edge) { return std::max(edge / FrameCosts::reduction, 1u); }
 
 }  // namespace
@@ -25,15 +49,18 @@ struct FrameCosts::Impl {
   Impl(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options, FrameFrom frames)
       : name(scene.name),
         core(config.core),
+        refit(config.tree_builder.refit),
         builder(scene, config, std::move(frames), image, options.static_trees),
         unit(without_selective(config), image) {}
 
   const std::string name;
   const hw::RayCoreConfig core;
+  const bool refit;
   hw::MemoryImage image;
   ImageBuilder builder;
   const hw::FunctionalUnit unit;
   hw::PixelRecords records;
+  std::map<FrameDigest, FrameCost> known;
 };
 
 FrameCosts::FrameCosts(const traces::Scene& scene, const hw::UnitConfig& unit, const SimulationOptions& options,
@@ -42,8 +69,13 @@ FrameCosts::FrameCosts(const traces::Scene& scene, const hw::UnitConfig& unit, c
 
 FrameCosts::~FrameCosts() = default;
 
-FrameCosts::Look FrameCosts::at(const traces::Frame& frame) {
+FrameCosts::Look FrameCosts::at(traces::Frame frame) {
   Impl& impl = *impl_;
+  const auto begin = Clock::now();
+  FrameDigest digest{};
+  if (!impl.refit) digest = digest_of(frame);
+  if (const auto it = impl.known.find(digest); it != impl.known.end()) return {it->second, seconds_since(begin)};
+  const double digest_seconds = seconds_since(begin);
   const hw::Address address = impl.builder.add(frame);
   check_stack(impl.name, frame.index, impl.builder.stack_needed(), impl.core);
   // The same view with fewer pixels: those that lie in the middle of the larger ones.
@@ -59,16 +91,17 @@ FrameCosts::Look FrameCosts::at(const traces::Frame& frame) {
   camera.origin_dv = camera.origin_dv * down;
   const std::size_t pixels = std::size_t{descriptor.width} * descriptor.height;
   impl.records.assign(pixels, {});
-  const auto before = std::chrono::steady_clock::now();
+  const auto before = Clock::now();
   const hw::FunctionalCounts counts = impl.unit.run(address, impl.builder.stack_needed(), impl.records);
-  const auto after = std::chrono::steady_clock::now();
+  const double seconds = digest_seconds + seconds_since(before);
   const std::uint64_t rays = std::accumulate(counts.rays.begin(), counts.rays.end(), std::uint64_t{0});
   const bool built = descriptor.dynamic_moved != 0 && descriptor.dynamic_triangle_count != 0;
   const FrameKind kind = !built                          ? FrameKind::nothing_built
                          : descriptor.dynamic_refit != 0 ? FrameKind::refitted
                                                          : FrameKind::built;
-  return {{static_cast<double>(counts.nodes + counts.triangles + 2 * rays + 3 * pixels), kind},
-          std::chrono::duration<double>(after - before).count()};
+  const FrameCost cost{static_cast<double>(counts.nodes + counts.triangles + 2 * rays + 3 * pixels), kind, digest};
+  if (!impl.refit) impl.known.emplace(digest, cost);
+  return {cost, seconds};
 }
 
 }  // namespace artu::sim

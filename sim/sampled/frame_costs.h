@@ -1,6 +1,8 @@
 // What a frame is likely to cost: all rays of a picture with an eighth of its width and height, without time.
 //
-// It need not be right: it must go up and down with the cycles.  The same pixels are looked at in every frame.
+// It need not be right: it must go up and down with the cycles.  The same pixels are looked at in every frame; of
+// frames that are equal, all but for their place in the sequence, only the first.  With refit none is known to be
+// equal: a tree depends on the frames before it.
 #pragma once
 
 #include <memory>
@@ -23,7 +25,7 @@ class FrameCosts {
     FrameCost cost;      // nodes and triangles, a little for each ray and pixel
     double seconds = 0;  // wall time, without tree builds
   };
-  Look at(const traces::Frame& frame);
+  Look at(traces::Frame frame);
 
  private:
   struct Impl;

@@ -12,9 +12,9 @@ namespace artu::sim {
 struct SampleSize {
   double share = 0;            // 0: none given
   double target_error = 0.01;  // of the cycles: half the 95 % interval
-  /// Frames that are simulated first.
+  /// Frames that are simulated first, of so many different ones.
   std::uint32_t first(std::uint32_t frames) const;
-  /// How many are needed in all if so many have given this error.
+  /// How many of them are needed in all if so many have given this error.
   std::uint32_t needed(std::uint32_t frames, std::uint32_t drawn, double error) const;
 };
 

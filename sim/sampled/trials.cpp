@@ -56,18 +56,18 @@ Trials run_trials(const std::vector<FrameCost>& costs, const std::vector<Totals>
   };
   double seconds = 0;
   for (const Totals& frame : frames) seconds += frame.simulation_seconds;
-  const auto all = static_cast<std::uint32_t>(frames.size());
   for (std::uint32_t trial = 0; trial < count; ++trial) {
     FrameSample sample(costs, seed + trial);
+    const std::uint32_t most = sample.different_frames();
     const auto total = [&](std::size_t figure) {
       std::vector<double> own;
       for (const std::uint32_t frame : sample.sample()) own.push_back(values[figure][frame]);
       return sample.total(own);
     };
-    std::uint32_t wanted = size.first(all);
+    std::uint32_t wanted = size.first(most);
     do {
       sample.draw(wanted);
-      wanted = size.needed(all, sample.drawn(), total(0).relative_error());
+      wanted = size.needed(most, sample.drawn(), total(0).relative_error());
     } while (wanted > sample.drawn());
     double sampled_seconds = look_seconds;
     for (const std::uint32_t frame : sample.sample()) sampled_seconds += frames[frame].simulation_seconds;

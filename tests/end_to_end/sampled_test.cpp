@@ -99,11 +99,47 @@ TEST_F(SampledTest, ASmallerErrorTakesMoreFrames) {
 }
 
 TEST_F(SampledTest, FramesThatAreEqualNeedNoMore) {
+  // In the first one the unit is told that geometry may have moved.
   const Finished out = fine({"run", "tiny.obj", "--size", "16x16", "--frames", "0:40", "-o", "out", "--fidelity",
                              "sampled", "--pictures", "none"});
-  EXPECT_THAT(out.out, HasSubstr("sample      8 of 40 frames simulated"));
+  EXPECT_THAT(out.out, HasSubstr("sample      2 of 40 frames simulated, of which 2 are different"));
   const json cycles = stats("out").at("totals").at("estimates").at("cycles");
   EXPECT_EQ(cycles.at("low"), cycles.at("high"));
+  fine({"run", "tiny.obj", "--size", "16x16", "--frames", "0:40", "-o", "event", "--pictures", "none"});
+  EXPECT_EQ(stats("out").at("totals").at("cycles"), stats("event").at("totals").at("cycles"));
+}
+
+/// It swings to and fro twice a second, at times that are exact: 16 frames, of which seven are as on the way back.
+TEST_F(SampledTest, AnAnimationThatRepeatsIsSampledOnce) {
+  write("swing.stage.toml", R"([[file]]
+path = "tiny.obj"
+[[file.key]]
+time = 0
+position = [0, 0, 0]
+[[file.key]]
+time = 0.25
+position = [0.2, 0, 0]
+[[file.key]]
+time = 0.5
+position = [0, 0, 0]
+)");
+  const auto simulate = [this](const std::string& folder, const std::vector<std::string>& more) {
+    std::vector<std::string> args = {"run", "swing.stage.toml", "--size", "24x16", "--frames", "3:67", "--fps",
+                                     "32",  "--pictures",       "none",   "-o",    folder};
+    args.insert(args.end(), more.begin(), more.end());
+    fine(args);
+  };
+  simulate("event", {});
+  simulate("all", {"--fidelity", "sampled", "--sample-share", "100%", "--jobs", "2"});
+  EXPECT_EQ(manifest("all").at("different_frames"), 9);
+  EXPECT_EQ(manifest("all").at("simulated_frames").size(), 9u);
+  const json a = stats("event").at("totals");
+  json b = stats("all").at("totals");
+  b.erase("estimates");
+  EXPECT_EQ(a, b) << "frames that are not simulated are equal to others";
+  // With refit a tree may depend on the frames before it.
+  simulate("refit", {"--fidelity", "sampled", "--sample-share", "10%", "--set", "tree_builder.refit=true"});
+  EXPECT_EQ(manifest("refit").at("different_frames"), 64);
 }
 
 TEST_F(SampledTest, SamplingPrintsHowRightItIs) {

@@ -80,7 +80,7 @@ TEST(Regression, WhatFollowsFromTheCostIsExact) {
 
 TEST(Regression, OfEqualCostsItIsTheMean) {
   const std::vector<double> costs(10, 5.0);
-  const RegressionEstimator estimator(costs, {0, 1, 2, 3});
+  const RegressionEstimator estimator(costs, std::vector<double>(10, 1.0), {0, 1, 2, 3});
   const auto total = estimator.total({1, 2, 3, 4});
   EXPECT_DOUBLE_EQ(total.value, 25);
   // By hand: residuals 1.5 and 0.5, each over 1 - 1/4; N^2 / n (1 - n / N) of their squares' sum over 3.
@@ -88,11 +88,35 @@ TEST(Regression, OfEqualCostsItIsTheMean) {
   EXPECT_EQ(estimator.freedom(), 3);
 }
 
+/// A member of weight 3 is as good as three that are equal and all in the sample.
+TEST(Regression, AWeightIsANumberOfEqualMembers) {
+  const std::vector<double> costs = {1, 2, 4, 5, 7, 9}, figures = {12, 17, 41, 48, 75};
+  std::vector<double> weights = {3, 1, 2, 1, 1, 2}, many, values;
+  std::vector<std::uint32_t> sample;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    for (int copy = 0; copy < weights[i]; ++copy) {
+      if (i < figures.size()) {
+        sample.push_back(static_cast<std::uint32_t>(many.size()));
+        values.push_back(figures[i]);
+      }
+      many.push_back(costs[i]);
+    }
+  }
+  const RegressionEstimator weighted(costs, weights, {0, 1, 2, 3, 4});
+  const RegressionEstimator single(many, std::vector<double>(many.size(), 1.0), sample);
+  EXPECT_NEAR(weighted.total(figures).value, single.total(values).value, 1e-9);
+  EXPECT_GT(weighted.total(figures).variance, single.total(values).variance) << "copies are no more measurements";
+  // Of all members: nothing is estimated.
+  const RegressionEstimator all(costs, weights, {0, 1, 2, 3, 4, 5});
+  EXPECT_DOUBLE_EQ(all.total({1, 1, 1, 1, 1, 10}).value, 28);
+  EXPECT_EQ(all.total({1, 1, 1, 1, 1, 10}).variance, 0);
+}
+
 TEST(Regression, TooFewAreNoSample) {
   const std::vector<double> costs(10, 5.0);
-  EXPECT_THROW(RegressionEstimator(costs, {0, 1, 2}), std::invalid_argument);
-  EXPECT_THROW(RegressionEstimator(costs, {}), std::invalid_argument);
-  EXPECT_NO_THROW(RegressionEstimator({1, 2}, {0, 1}));
+  EXPECT_THROW(RegressionEstimator(costs, costs, {0, 1, 2}), std::invalid_argument);
+  EXPECT_THROW(RegressionEstimator(costs, costs, {}), std::invalid_argument);
+  EXPECT_NO_THROW(RegressionEstimator({1, 2}, {1, 1}, {0, 1}));
 }
 
 TEST(FrameSample, AllFramesAreNoEstimate) {
@@ -137,6 +161,50 @@ TEST(FrameSample, GrowsByThoseThatWereNotThere) {
     for (const std::uint32_t frame : next) EXPECT_TRUE(seen.insert(frame).second);
   }
   EXPECT_THAT(sample.draw(40), IsEmpty());
+}
+
+FrameDigest digest(int of) {
+  FrameDigest d{};
+  d[0] = static_cast<char>(1 + of);
+  return d;
+}
+
+TEST(FrameSample, EqualFramesAreDrawnOnceAndWeighAsMany) {
+  std::vector<FrameCost> costs;
+  std::vector<double> figures;
+  double sum = 0;
+  for (int i = 0; i < 130; ++i) {  // 50 frames, of which the first 30 come three times, the others twice
+    costs.push_back({100.0 + i % 50, FrameKind::built, digest(i % 50)});
+    figures.push_back(7000 + 3 * costs.back().work + (i % 50) % 7);
+    sum += figures.back();
+  }
+  FrameSample sample(costs, 3);
+  EXPECT_EQ(sample.frames(), 130u);
+  EXPECT_EQ(sample.different_frames(), 50u);
+  sample.draw(8);
+  EXPECT_EQ(sample.drawn(), 8u);
+  for (const std::uint32_t frame : sample.sample()) EXPECT_LT(frame, 50u);
+  const TotalEstimate e = estimate(figures, sample);
+  EXPECT_LE(e.low, sum);
+  EXPECT_GE(e.high, sum);
+  sample.draw(130);
+  EXPECT_EQ(sample.drawn(), 50u);
+  EXPECT_NEAR(estimate(figures, sample).value, sum, 1e-9 * sum);
+  EXPECT_EQ(estimate(figures, sample).relative_error(), 0);
+}
+
+TEST(FrameSample, AFrameThatIsAQuarterOfItsKindIsAlwaysDrawn) {
+  std::vector<FrameCost> costs = built(std::vector<double>(60, 1.0));
+  for (std::size_t i = 20; i < 40; ++i) costs[i].digest = digest(0);
+  std::vector<double> figures(60, 500.0);
+  for (std::size_t i = 20; i < 40; ++i) figures[i] = 90;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    FrameSample sample(costs, seed);
+    sample.draw(8);
+    EXPECT_EQ(std::count(sample.sample().begin(), sample.sample().end(), 20u), 1);
+    EXPECT_DOUBLE_EQ(estimate(figures, sample).value, 40 * 500 + 20 * 90);
+    EXPECT_EQ(estimate(figures, sample).relative_error(), 0);
+  }
 }
 
 /// Costs that go with the figures more or less, and a figure that drifts.
