@@ -1,5 +1,7 @@
 #include "sim/driver/frame_simulator.h"
 
+#include <stdexcept>
+
 #include "sim/analytic/analytic_simulator.h"
 #include "sim/driver/functional_simulator.h"
 #include "sim/driver/simulator.h"
@@ -33,9 +35,7 @@ std::unique_ptr<FrameSimulator> make_simulator(const traces::Scene& scene, const
   if (options.fidelity == Fidelity::analytic) {
     return std::make_unique<AnalyticSimulator>(scene, unit, options, std::move(frames));
   }
-  throw InputError("--fidelity",
-                   "sampled is about several frames, of which artu run and artu check simulate some; functional, "
-                   "analytic, event or clocked would be right");
+  throw std::logic_error("sampled is about several frames: no mode of one");
 }
 
 }  // namespace artu::sim

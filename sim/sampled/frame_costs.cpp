@@ -6,7 +6,9 @@
 #include <numeric>
 #include <utility>
 
+#include "hw/frame_registers.h"
 #include "hw/functional/functional_unit.h"
+#include "hw/memory/build_plan.h"
 #include "sim/driver/image_builder.h"
 #include "sim/driver/stack_check.h"
 #include "sim/report/digest.h"
@@ -41,6 +43,16 @@ FrameDigest digest_of(traces::Frame& frame) {
   return digest;
 }
 
+/// What the tree builder computes for the frame, in cycles; what it waits for the memory is not in it.
+double build_cycles(const hw::UnitConfig& config, const hw::FrameDescriptor& frame) {
+  double cycles = 0;
+  if (!hw::builds(frame, config.skip)) return cycles;
+  for (const hw::BuildStep& step : hw::plan_build(config.tree_builder, frame)) {
+    cycles += static_cast<double>(step.compute);
+  }
+  return cycles;
+}
+
 std::uint32_t reduced(std::uint32_t edge) { return std::max(edge / FrameCosts::reduction, 1u); }
 
 }  // namespace
@@ -48,14 +60,12 @@ std::uint32_t reduced(std::uint32_t edge) { return std::max(edge / FrameCosts::r
 struct FrameCosts::Impl {
   Impl(const traces::Scene& scene, const hw::UnitConfig& config, const SimulationOptions& options, FrameFrom frames)
       : name(scene.name),
-        core(config.core),
-        refit(config.tree_builder.refit),
+        config(config),
         builder(scene, config, std::move(frames), image, options.static_trees),
         unit(without_selective(config), image) {}
 
   const std::string name;
-  const hw::RayCoreConfig core;
-  const bool refit;
+  const hw::UnitConfig config;
   hw::MemoryImage image;
   ImageBuilder builder;
   const hw::FunctionalUnit unit;
@@ -73,13 +83,14 @@ FrameCosts::Look FrameCosts::at(traces::Frame frame) {
   Impl& impl = *impl_;
   const auto begin = Clock::now();
   FrameDigest digest{};
-  if (!impl.refit) digest = digest_of(frame);
+  if (!impl.config.tree_builder.refit) digest = digest_of(frame);
   if (const auto it = impl.known.find(digest); it != impl.known.end()) return {it->second, seconds_since(begin)};
   const double digest_seconds = seconds_since(begin);
   const hw::Address address = impl.builder.add(frame);
-  check_stack(impl.name, frame.index, impl.builder.stack_needed(), impl.core);
+  check_stack(impl.name, frame.index, impl.builder.stack_needed(), impl.config.core);
   // The same view with fewer pixels: those that lie in the middle of the larger ones.
   auto& descriptor = impl.image.at<hw::FrameDescriptor>(address);
+  const double all_pixels = static_cast<double>(descriptor.width) * descriptor.height;
   const auto across = static_cast<float>(descriptor.width) / static_cast<float>(reduced(descriptor.width));
   const auto down = static_cast<float>(descriptor.height) / static_cast<float>(reduced(descriptor.height));
   descriptor.width = reduced(descriptor.width);
@@ -92,15 +103,19 @@ FrameCosts::Look FrameCosts::at(traces::Frame frame) {
   const std::size_t pixels = std::size_t{descriptor.width} * descriptor.height;
   impl.records.assign(pixels, {});
   const auto before = Clock::now();
+  const double build = build_cycles(impl.config, descriptor);
   const hw::FunctionalCounts counts = impl.unit.run(address, impl.builder.stack_needed(), impl.records);
   const double seconds = digest_seconds + seconds_since(before);
   const std::uint64_t rays = std::accumulate(counts.rays.begin(), counts.rays.end(), std::uint64_t{0});
-  const bool built = descriptor.dynamic_moved != 0 && descriptor.dynamic_triangle_count != 0;
+  const bool built = hw::builds(descriptor, impl.config.skip);
   const FrameKind kind = !built                          ? FrameKind::nothing_built
                          : descriptor.dynamic_refit != 0 ? FrameKind::refitted
                                                          : FrameKind::built;
-  const FrameCost cost{static_cast<double>(counts.nodes + counts.triangles + 2 * rays + 3 * pixels), kind, digest};
-  if (!impl.refit) impl.known.emplace(digest, cost);
+  const auto work = static_cast<double>(counts.nodes + counts.triangles + 2 * rays + 3 * pixels);
+  // Of the whole picture, shared out to the cores: cycles, more or less, as those of the build are.
+  const double traced = work * all_pixels / static_cast<double>(pixels) / impl.config.core.count;
+  const FrameCost cost{build + traced, kind, digest};
+  if (!impl.config.tree_builder.refit) impl.known.emplace(digest, cost);
   return {cost, seconds};
 }
 

@@ -1,4 +1,5 @@
-// What a frame is likely to cost: all rays of a picture with an eighth of its width and height, without time.
+// What a frame is likely to cost: what its tree's build computes, and all rays of a picture with an eighth of its width
+// and height, without time.
 //
 // It need not be right: it must go up and down with the cycles.  The same pixels are looked at in every frame; of
 // frames that are equal, all but for their place in the sequence, only the first.  With refit none is known to be
@@ -22,7 +23,7 @@ class FrameCosts {
   ~FrameCosts();
 
   struct Look {
-    FrameCost cost;      // nodes and triangles, a little for each ray and pixel
+    FrameCost cost;      // the build; and nodes and triangles, a little for each ray and pixel
     double seconds = 0;  // wall time, without tree builds
   };
   Look at(traces::Frame frame);

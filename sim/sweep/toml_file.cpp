@@ -51,11 +51,6 @@ std::vector<std::string> TomlFile::texts(const toml::node& node, const std::stri
   return all;
 }
 
-bool TomlFile::flag(const toml::node& node, const std::string& key) const {
-  if (const auto* value = node.as_boolean()) return value->get();
-  refuse(node, fmt::format("{} = {} is no flag; true or false would be right", key, toml_text(node)));
-}
-
 std::uint64_t TomlFile::count(const toml::node& node, const std::string& key, std::uint64_t minimum,
                               std::uint64_t maximum) const {
   const auto* value = node.as_integer();

@@ -22,7 +22,6 @@ class TomlFile {
   void allow(const toml::table& table, const std::vector<std::string>& keys) const;
   std::string text(const toml::node& node, const std::string& key) const;
   std::vector<std::string> texts(const toml::node& node, const std::string& key) const;
-  bool flag(const toml::node& node, const std::string& key) const;
   /// 0 ... 2^63 - 1.
   std::uint64_t count(const toml::node& node, const std::string& key, std::uint64_t minimum,
                       std::uint64_t maximum) const;
