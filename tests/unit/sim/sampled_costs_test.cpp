@@ -79,7 +79,7 @@ TEST(FrameCosts, FramesAreEqualInAllButTheirPlace) {
 TEST(FrameCosts, WithRefitNoFrameIsKnownToEqualAnother) {
   hw::UnitConfig unit;
   unit.tree_builder.refit = true;
-  const traces::Frame frame = frame_with(test::sphere(8, 5));
+  traces::Frame frame = frame_with(test::sphere(8, 5));
   FrameCosts costs(scene(), unit, {}, [&](std::uint32_t) { return frame; });
   EXPECT_EQ(costs.at(frame).cost.digest, FrameDigest{});
 }
