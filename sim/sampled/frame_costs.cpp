@@ -55,6 +55,19 @@ double build_cycles(const hw::UnitConfig& config, const hw::FrameDescriptor& fra
 
 std::uint32_t reduced(std::uint32_t edge) { return std::max(edge / FrameCosts::reduction, 1u); }
 
+/// The same view with fewer pixels: those that lie in the middle of the larger ones.
+void reduce(hw::FrameDescriptor& frame) {
+  const auto across = static_cast<float>(frame.width) / static_cast<float>(reduced(frame.width));
+  const auto down = static_cast<float>(frame.height) / static_cast<float>(reduced(frame.height));
+  frame.width = reduced(frame.width);
+  frame.height = reduced(frame.height);
+  hw::CameraRegisters& camera = frame.camera;
+  camera.du = camera.du * across;
+  camera.origin_du = camera.origin_du * across;
+  camera.dv = camera.dv * down;
+  camera.origin_dv = camera.origin_dv * down;
+}
+
 }  // namespace
 
 struct FrameCosts::Impl {
@@ -88,18 +101,9 @@ FrameCosts::Look FrameCosts::at(traces::Frame frame) {
   const double digest_seconds = seconds_since(begin);
   const hw::Address address = impl.builder.add(frame);
   check_stack(impl.name, frame.index, impl.builder.stack_needed(), impl.config.core);
-  // The same view with fewer pixels: those that lie in the middle of the larger ones.
   auto& descriptor = impl.image.at<hw::FrameDescriptor>(address);
   const double all_pixels = static_cast<double>(descriptor.width) * descriptor.height;
-  const auto across = static_cast<float>(descriptor.width) / static_cast<float>(reduced(descriptor.width));
-  const auto down = static_cast<float>(descriptor.height) / static_cast<float>(reduced(descriptor.height));
-  descriptor.width = reduced(descriptor.width);
-  descriptor.height = reduced(descriptor.height);
-  hw::CameraRegisters& camera = descriptor.camera;
-  camera.du = camera.du * across;
-  camera.origin_du = camera.origin_du * across;
-  camera.dv = camera.dv * down;
-  camera.origin_dv = camera.origin_dv * down;
+  reduce(descriptor);
   const std::size_t pixels = std::size_t{descriptor.width} * descriptor.height;
   impl.records.assign(pixels, {});
   const auto before = Clock::now();
@@ -115,7 +119,7 @@ FrameCosts::Look FrameCosts::at(traces::Frame frame) {
   // Of the whole picture, shared out to the cores: cycles, more or less, as those of the build are.
   const double traced = work * all_pixels / static_cast<double>(pixels) / impl.config.core.count;
   const FrameCost cost{build + traced, kind, digest};
-  if (!impl.config.tree_builder.refit) impl.known.emplace(digest, cost);
+  if (digest != FrameDigest{}) impl.known.emplace(digest, cost);
   return {cost, seconds};
 }
 
