@@ -13,7 +13,17 @@ FrameWriter::FrameWriter(sc_core::sc_module_name name, ClockDomain& domain, cons
       tile_(selective.tile),
       registers_(registers),
       image_(image),
+      colors_(plan_, 4),
+      classes_(plan_, 1),
       lines_(entries) {}
+
+FrameWriter::Grid::Grid(const PassPlan& plan, std::uint32_t bytes) : bytes_a_pixel(bytes), of_pass(plan.passes()) {
+  const std::uint64_t pixel = (std::uint64_t{1} << bytes) - 1;
+  for (std::uint32_t number = 0; number < plan.passes(); ++number) {
+    const Pass pass = plan.pass(number);
+    for (std::uint32_t x = pass.x0; x * bytes < line_bytes; x += pass.dx) of_pass[number] |= pixel << (x * bytes);
+  }
+}
 
 void FrameWriter::flag_sources() {
   waiting_.assign(sources_.size() / 64 + 1, 0);
@@ -77,25 +87,22 @@ std::uint32_t FrameWriter::last_pass() const {
   return pass;
 }
 
-/// Bytes in the line of all pixels of the pixel's pass that are in its row and tile as well; `bytes` a pixel.
-std::uint64_t FrameWriter::expected_in(const PixelToken& pixel, std::uint32_t pass, std::uint32_t bytes) const {
-  const FrameDescriptor& frame = registers_.descriptor;
-  const std::uint32_t pixels = static_cast<std::uint32_t>(line_bytes) / bytes;
+/// Bytes in the line of all pixels of the pixel's pass that are in its row and tile as well.
+std::uint64_t FrameWriter::expected_in(const PixelToken& pixel, std::uint32_t pass, const Grid& grid) const {
+  const std::uint32_t pixels = static_cast<std::uint32_t>(line_bytes) / grid.bytes_a_pixel;
   const std::uint32_t line_begin = pixel.x / pixels * pixels, tile_begin = pixel.x / tile_ * tile_;
-  const std::uint32_t end = std::min({line_begin + pixels, tile_begin + tile_, frame.width});
-  const Pass grid = plan_.pass(pass);
-  std::uint64_t mask = 0;
-  for (std::uint32_t x = std::max(line_begin, tile_begin) + grid.x0; x < end; x += grid.dx) {
-    mask |= (bytes == 4 ? std::uint64_t{0xf} : std::uint64_t{1}) << ((x - line_begin) * bytes);
-  }
-  return mask;
+  const std::uint32_t begin = std::max(line_begin, tile_begin);
+  const std::uint32_t end = std::min({line_begin + pixels, tile_begin + tile_, registers_.descriptor.width});
+  // From 1 to 64 bytes.
+  const std::uint64_t span = ~std::uint64_t{0} >> (line_bytes - (end - begin) * grid.bytes_a_pixel);
+  return (grid.of_pass[pass] & span) << ((begin - line_begin) * grid.bytes_a_pixel);
 }
 
 /// With overlap: which bytes are to be told of, and whether the line is complete.
-void FrameWriter::note(const PixelToken& pixel, Entry& entry, std::uint64_t bytes, std::uint32_t bytes_a_pixel) {
-  const std::uint32_t pass = plan_.pass_of(pixel.x, pixel.y);
+void FrameWriter::note(const PixelToken& pixel, std::uint32_t pass, Entry& entry, std::uint64_t bytes,
+                       const Grid& grid) {
   if (pass != last_pass_) entry.announced |= bytes;
-  const std::uint64_t expected = expected_in(pixel, pass, bytes_a_pixel);
+  const std::uint64_t expected = expected_in(pixel, pass, grid);
   if ((entry.bytes & expected) == expected) lines_.complete(entry);
 }
 
@@ -116,9 +123,10 @@ bool FrameWriter::combine(const PixelToken& pixel, Address color, Address hit_cl
   while (lines_.missing(color_line, class_line) != 0) {
     if (!evict(lines_.oldest_but(color_line, class_line))) return false;
   }
-  note(pixel, lines_.combine(color_line, color_bytes, now, 0), color_bytes, 4);
-  note(pixel, lines_.combine(class_line, class_bytes, now, 1), class_bytes, 1);
-  if (plan_.pass_of(pixel.x, pixel.y) == 0 && sampling_left_ != 0) --sampling_left_;
+  const std::uint32_t pass = plan_.pass_of(pixel.x, pixel.y);
+  note(pixel, pass, lines_.combine(color_line, color_bytes, now, 0), color_bytes, colors_);
+  note(pixel, pass, lines_.combine(class_line, class_bytes, now, 1), class_bytes, classes_);
+  if (pass == 0 && sampling_left_ != 0) --sampling_left_;
   return true;
 }
 

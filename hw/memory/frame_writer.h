@@ -71,14 +71,21 @@ class FrameWriter : public Block {
   bool reserve(Address line);
   bool evict(Entry& entry);
   bool combine(const PixelToken& pixel, Address color, Address hit_class, Cycle now);
-  void note(const PixelToken& pixel, Entry& entry, std::uint64_t bytes, std::uint32_t bytes_a_pixel);
-  std::uint64_t expected_in(const PixelToken& pixel, std::uint32_t pass, std::uint32_t bytes) const;
+  /// For every pass the bytes of its pixels in a line that begins where a tile does.
+  struct Grid {
+    Grid(const PassPlan& plan, std::uint32_t bytes);
+    std::uint32_t bytes_a_pixel;
+    std::vector<std::uint64_t> of_pass;
+  };
+  void note(const PixelToken& pixel, std::uint32_t pass, Entry& entry, std::uint64_t bytes, const Grid& grid);
+  std::uint64_t expected_in(const PixelToken& pixel, std::uint32_t pass, const Grid& grid) const;
   std::uint32_t last_pass() const;
 
   const PassPlan plan_;
   const std::uint32_t tile_;
   const FrameRegisters& registers_;
   MemoryImage& image_;
+  const Grid colors_, classes_;
   std::vector<Fifo<PixelToken>*> sources_;
   MemoryLink* memory_ = nullptr;
   Fifo<PassSize>* pass_ = nullptr;

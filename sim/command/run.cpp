@@ -273,7 +273,7 @@ int run_command(const RunOptions& options) {
                                      source.range().last, unit.clock_mhz},
                                     result.sum, energy ? &*energy : nullptr, limits));
     if (!result.simulated.empty()) {
-      fmt::print("{:<12}{} of {} frames simulated, of which {} are different\n", "sample", result.simulated.size(),
+      fmt::print("{:<12}{} frames simulated for all {}, of which {} are different\n", "sample", result.simulated.size(),
                  result.sum.frames, result.different_frames);
     }
     print_traces(report->traces());

@@ -102,7 +102,7 @@ TEST_F(SampledTest, FramesThatAreEqualNeedNoMore) {
   // In the first one the unit is told that geometry may have moved.
   const Finished out = fine({"run", "tiny.obj", "--size", "16x16", "--frames", "0:40", "-o", "out", "--fidelity",
                              "sampled", "--pictures", "none"});
-  EXPECT_THAT(out.out, HasSubstr("sample      2 of 40 frames simulated, of which 2 are different"));
+  EXPECT_THAT(out.out, HasSubstr("sample      2 frames simulated for all 40, of which 2 are different"));
   const json cycles = stats("out").at("totals").at("estimates").at("cycles");
   EXPECT_EQ(cycles.at("low"), cycles.at("high"));
   fine({"run", "tiny.obj", "--size", "16x16", "--frames", "0:40", "-o", "event", "--pictures", "none"});
