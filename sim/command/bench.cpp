@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -63,16 +64,33 @@ std::vector<std::string> scenes_of(const BenchOptions& options, std::vector<std:
   return scenes;
 }
 
-/// Golden model first, then the fidelities in their order.
-std::vector<std::string> modes_of(const std::string& list) {
+/// Golden model first, then the fidelities that simulate one frame, in their order.
+std::vector<std::string> all_modes() {
   std::vector<std::string> all{golden_mode};
-  for (std::size_t i = 0; i < fidelity_count; ++i) all.emplace_back(fidelity_name(static_cast<Fidelity>(i)));
+  for (std::size_t i = 0; i < fidelity_count; ++i) {
+    const auto fidelity = static_cast<Fidelity>(i);
+    if (fidelity != Fidelity::sampled) all.emplace_back(fidelity_name(fidelity));
+  }
+  return all;
+}
+
+/// Those of a list, in the order of all.
+std::vector<std::string> modes_of(const std::string& list) {
+  std::vector<std::string> all = all_modes();
   if (list.empty()) return all;
+  const std::string right = fmt::format("{}", fmt::join(all, ", "));
   std::vector<std::string> asked;
   for (std::size_t at = 0; at <= list.size();) {
     const std::size_t end = std::min(list.find(',', at), list.size());
     const std::string name = list.substr(at, end - at);
-    if (name != golden_mode) parse_fidelity(name);
+    if (name == fidelity_name(Fidelity::sampled)) {
+      throw InputError("--fidelity",
+                       "\"sampled\" is of a sequence, and what is measured here is one frame; artu sampling would be "
+                       "right");
+    }
+    if (std::find(all.begin(), all.end(), name) == all.end()) {
+      throw InputError("--fidelity", fmt::format("\"{}\" is none; {} would be right", name, right));
+    }
     asked.push_back(name);
     at = end + 1;
   }

@@ -83,6 +83,17 @@ void refuse_unknown_command(const CLI::App& app, int argc, const char* const* ar
                    fmt::format("unknown command \"{}\"; {} or {} would be right", one_line(argv[1]), names, last));
 }
 
+/// An empty word is no value, and to most options it would look as if they were not given.
+void refuse_empty_values(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    for (const CLI::Option* option : command->get_options()) {
+      for (const std::string& value : option->results()) {
+        if (value.empty()) throw InputError(option->get_name(), "is empty; a value would be right");
+      }
+    }
+  }
+}
+
 int parse_and_run(int argc, const char* const* argv) {
   CLI::App app("ARTU: a cycle-approximate model of a mobile ray-tracing unit, exact to the bit in every pixel", "artu");
   app.set_version_flag("--version", std::string("artu ") + ARTU_VERSION, "Print the version and end");
@@ -100,6 +111,7 @@ int parse_and_run(int argc, const char* const* argv) {
     refuse_unknown_command(app, argc, argv);
     throw InputError("command line", one_line(error.what()) + "; artu --help shows what would be right");
   }
+  refuse_empty_values(app);
   return line.chosen();
 }
 

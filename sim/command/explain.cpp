@@ -11,7 +11,6 @@
 #include "sim/command/unit_totals.h"
 #include "sim/config/configuration.h"
 #include "sim/explain/stored_run.h"
-#include "sim/report/digest.h"
 #include "traces/error.h"
 
 namespace artu::sim {
@@ -35,7 +34,7 @@ SourceOptions source_of(const StoredRun& run, const std::string& folder) {
                                              folder, run.falsified ? "an injected fault" : "--random-stall"));
   }
   require_file(m.input);
-  if (sha256_of_file(m.input) != m.input_sha256) {
+  if (sha256_of_input(m.input) != m.input_sha256) {
     throw InputError(m.input, fmt::format("is not what {} was run on; the same file would be right", folder));
   }
   SourceOptions source;

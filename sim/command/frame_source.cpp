@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "sim/import/files_read.h"
+#include "sim/report/digest.h"
 #include "traces/error.h"
 
 namespace artu::sim {
@@ -60,15 +62,27 @@ void FrameSource::open_scene(const SourceOptions& options, std::vector<std::stri
   }
   const auto asked = options.frames ? parse_frames(*options.frames) : FrameRange{};
   range_ = asked.value_or(FrameRange{});
+  const FilesRead files;
   import.first_frame = range_.first;
   import.last_frame = range_.last;
   scene_ = SceneSource::open(path_, import, log);
+  files_ = files.paths();
   if (asked) return;
   // "all": how many there are is known only now, and what counts as moving may depend on the range.
   range_.last = import.last_frame = scene_->natural_frame_count();
   if (range_.last == 1) return;
   log.clear();
   scene_ = SceneSource::open(path_, import, log);
+}
+
+std::string FrameSource::sha256() const { return sha256_of_files(path_, files_); }
+
+std::string sha256_of_input(const std::string& path) {
+  if (traces::is_trace(path)) return sha256_of_file(path);
+  const FilesRead files;
+  std::vector<std::string> log;
+  SceneSource::open(path, {}, log);
+  return sha256_of_files(path, files.paths());
 }
 
 const traces::Scene& FrameSource::scene() const { return reader_ ? reader_->scene() : scene_->scene(); }

@@ -2,6 +2,7 @@
 
 #include "sim/command/commands.h"
 #include "sim/command/frame_source.h"
+#include "sim/command/output_places.h"
 #include "sim/command/progress.h"
 #include "sim/report/file.h"
 #include "sim/report/interruption.h"
@@ -39,6 +40,7 @@ int import_command(const ImportOptionsOfCommand& options) {
     throw InputError(options.source.path,
                      "is a trace already; a scene (.glb, .gltf, .obj, .stage.toml) would be right");
   }
+  refuse_input_as_output(options.output, options.source.path);
   refuse_existing(options.output, options.force);
   std::vector<std::string> log;
   const FrameSource source(options.source, log);

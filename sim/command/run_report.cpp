@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <set>
 
+#include "sim/command/output_places.h"
 #include "sim/config/dump.h"
-#include "sim/report/digest.h"
 #include "sim/report/pixel_csv.h"
 #include "sim/report/stats_text.h"
 #include "traces/error.h"
@@ -17,7 +17,7 @@ Manifest manifest_of(const std::vector<std::string>& command, const std::string&
   manifest.command = command;
   manifest.version = ARTU_VERSION;
   manifest.input = input;
-  manifest.input_sha256 = sha256_of_file(input);
+  manifest.input_sha256 = source.sha256();
   manifest.input_is_trace = source.is_trace();
   manifest.first_frame = source.range().first;
   manifest.last_frame = source.range().last;
@@ -44,14 +44,12 @@ RunReport::RunReport(const RunOptions& options) : several_processes_(options.job
   if (several_processes_ && !options.simulation.log.empty()) {
     throw InputError("--log", "the lines of several frames would mingle; without --jobs would be right");
   }
+  check_output_places(options);
   if (!options.pixel_csv.empty()) {
     csv_ = std::make_unique<AtomicFile>(options.pixel_csv, options.force);
     csv_->write(pixel_csv_header);
   }
   if (!options.memory_trace.empty()) {
-    if (options.memory_trace == options.pixel_csv) {
-      throw InputError("--memory-trace", "is the file of --dump-pixels as well; another name would be right");
-    }
     memory_trace_ = std::make_unique<MemoryTrace>(options.memory_trace, options.memory_trace_format, options.force);
   }
   if (!options.output.empty()) {
@@ -74,21 +72,20 @@ RunReport::RunReport(const RunOptions& options) : several_processes_(options.job
 }
 
 void RunReport::open_traces(const RunOptions& options) {
-  std::vector<std::string> names{options.pixel_csv, options.memory_trace};
+  std::set<TraceKind> in_folder;
   for (const TraceRequest& request : options.trace.requests) {
     std::string file = request.file, shown = request.file;
     if (file.empty()) {
       if (!folder_)
         throw InputError("--trace", fmt::format("there is no folder for it; {}=FILE, or -o DIR as well, would be right",
                                                 trace_kind_name(request.kind)));
+      if (!in_folder.insert(request.kind).second) {
+        throw InputError("--trace", fmt::format("{0} is asked for twice; {0}=FILE for one of them would be right",
+                                                trace_kind_name(request.kind)));
+      }
       file = folder_->file(trace_file_name(request.kind));
       shown = folder_->name() + "/" + trace_file_name(request.kind);
     }
-    if (std::find(names.begin(), names.end(), file) != names.end()) {
-      throw InputError("--trace",
-                       fmt::format("{} is another file of this run as well; another name would be right", shown));
-    }
-    names.push_back(file);
     traces_.add(request.kind, file, shown, options.force, options.source.path);
   }
 }

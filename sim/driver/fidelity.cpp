@@ -15,7 +15,7 @@ struct Mode {
 constexpr std::array<Mode, fidelity_count> modes{{
     {"functional", "pixels and counts exact, no cycles"},
     {"analytic", "pixels and counts exact; cycles and DRAM bytes estimated"},
-    {"sampled", "all figures estimated from parts of the frame"},
+    {"sampled", "all figures estimated from some of the frames"},
     {"event", "all exact"},
     {"clocked", "all exact"},
 }};

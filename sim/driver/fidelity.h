@@ -10,7 +10,7 @@ namespace artu::sim {
 enum class Fidelity : std::uint8_t {
   functional,  // the picture and the counts; no time
   analytic,    // the same, and cycles estimated from what the counts demand of every resource
-  sampled,     // cycles estimated from parts of the frame
+  sampled,     // of a sequence: all figures estimated from some of its frames
   event,       // every cycle in which a block has something to do
   clocked,     // every block in every cycle: the same cycles
 };

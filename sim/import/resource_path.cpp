@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "sim/import/files_read.h"
 #include "traces/error.h"
 
 namespace artu::sim {
@@ -80,6 +81,7 @@ std::vector<std::uint8_t> read_file(const std::string& path, std::uint64_t limit
   in.seekg(0);
   if (!bytes.empty()) in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   if (!in) throw InputError(path, "cannot be read to its end");
+  FilesRead::note(path);
   return bytes;
 }
 

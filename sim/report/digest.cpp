@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <stdexcept>
 
@@ -45,6 +47,20 @@ std::string sha256_of_file(const std::string& file) {
   while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, in.get())) sum.add(buffer, got);
   if (std::ferror(in.get())) throw InputError(file, std::string("cannot read: ") + std::strerror(errno));
   return sum.text();
+}
+
+std::string sha256_of_files(const std::string& file, const std::set<std::string>& others) {
+  namespace fs = std::filesystem;
+  const fs::path itself = fs::canonical(file);
+  std::map<std::string, std::string> names;
+  for (const std::string& other : others) {
+    if (other != itself) names[fs::path(other).lexically_relative(itself.parent_path()).string()] = other;
+  }
+  const std::string own = sha256_of_file(file);
+  if (names.empty()) return own;
+  std::string list = fmt::format("{}  {}\n", own, itself.filename().string());
+  for (const auto& [name, path] : names) list += fmt::format("{}  {}\n", sha256_of_file(path), name);
+  return sha256_of(list);
 }
 
 std::string sha256_of(std::string_view text) {

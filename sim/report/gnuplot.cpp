@@ -6,17 +6,22 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include "sim/report/file.h"
+#include "traces/error.h"
 
 extern char** environ;
 
 namespace artu::sim {
+namespace fs = std::filesystem;
 
 std::string run_gnuplot(const std::string& folder, const std::string& script) {
   posix_spawn_file_actions_t files;
@@ -48,14 +53,36 @@ std::string run_gnuplot(const std::string& folder, const std::string& script) {
   return "gnuplot failed";
 }
 
+namespace {
+
+/// gnuplot does not say when the disk is full.
+bool ends_with(const std::string& file, const std::string& end) {
+  constexpr std::streamoff look_at = 16;
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  const std::streamoff size = in.tellg();
+  in.seekg(std::max<std::streamoff>(size - look_at, 0));
+  const std::string tail{std::istreambuf_iterator<char>(in), {}};
+  return tail.find(end) != std::string::npos;
+}
+
+}  // namespace
+
 std::string draw_plot(const std::string& folder, const Plot& plot) {
   const auto file = [&](const std::string& name) { return folder + "/" + name; };
   write_file(file(plot.data_file()), plot.data);
   write_file(file(plot.script_file()), plot.script);
   const std::string problem = run_gnuplot(folder, plot.script_file());
-  if (problem.empty()) return "";
   std::error_code ignored;
-  for (const char* begun : {".svg", ".png"}) std::filesystem::remove(file(plot.name + begun), ignored);
+  if (problem.empty()) {
+    for (const auto& [ending, end] : {std::pair{".svg", "</svg>"}, std::pair{".png", "IEND"}}) {
+      const std::string name = plot.name + ending;
+      if (fs::exists(file(name), ignored) && !ends_with(file(name), end)) {
+        throw InputError(file(name), "gnuplot could not write all of it; a disk with room would be right");
+      }
+    }
+    return "";
+  }
+  for (const char* begun : {".svg", ".png"}) fs::remove(file(plot.name + begun), ignored);
   return fmt::format("{}; {} is for it", problem, plot.script_file());
 }
 

@@ -14,7 +14,7 @@ struct Plot {
 };
 
 /// Writes script and data into `folder` and draws.  "" if all went well, else why there is no picture; none is left
-/// half drawn.
+/// half drawn.  Throws InputError if the disk is full.
 std::string draw_plot(const std::string& folder, const Plot& plot);
 
 /// In `folder`, on the file `script` in it.  "" if all went well, else what went wrong.

@@ -28,6 +28,14 @@ Guarded*& instance() {
 
 Guarded& guarded() { return *instance(); }
 
+/// Nobody reads any more what is written: the kernel tells the thread that wrote, and the waiting one hears of it so.
+const int broken_pipe = SIGRTMIN;
+
+void on_broken_pipe(int) {
+  kill(getpid(), broken_pipe);
+  for (;;) pause();  // what the write returns is of no interest: the process ends
+}
+
 /// A thread of its own may use the file system, which a signal handler must not.
 [[noreturn]] void wait_for(const sigset_t& signals) {
   int signal = 0;
@@ -47,7 +55,7 @@ Guarded& guarded() { return *instance(); }
     }
   }
   write_line_counts();
-  _exit(128 + signal);
+  _exit(128 + (signal == broken_pipe ? SIGPIPE : signal));
 }
 
 }  // namespace
@@ -55,17 +63,25 @@ Guarded& guarded() { return *instance(); }
 void handle_interruptions() {
   sigset_t signals;
   sigemptyset(&signals);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  const auto is_ignored = [](int signal) {
     struct sigaction action {};
     sigaction(signal, nullptr, &action);
-    if (action.sa_handler != SIG_IGN) sigaddset(&signals, signal);  // nohup stays in force
+    return action.sa_handler == SIG_IGN;
+  };
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+    if (!is_ignored(signal)) sigaddset(&signals, signal);  // nohup stays in force
   }
+  sigaddset(&signals, broken_pipe);
+  if (!is_ignored(SIGPIPE)) std::signal(SIGPIPE, on_broken_pipe);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::thread([signals] { wait_for(signals); }).detach();
 }
 
 // The copy of the parent's mutex is locked, and nobody would unlock it.
-void begin_forked_process() { instance() = new Guarded; }
+void begin_forked_process() {
+  instance() = new Guarded;
+  std::signal(SIGPIPE, SIG_DFL);  // no thread waits here
+}
 
 RemoveOnInterrupt::RemoveOnInterrupt(std::string path) : path_(std::move(path)) {
   const std::lock_guard<std::mutex> lock(guarded().mutex);

@@ -8,8 +8,8 @@
 
 namespace artu::sim {
 
-/// From now on SIGINT, SIGTERM and SIGHUP remove what is guarded and end the program with 128 + the signal's number.
-/// Call once, before any thread is started.
+/// From now on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGPIPE remove what is guarded and end the program with 128 + the
+/// signal's number. Call once, before any thread is started.
 void handle_interruptions();
 
 /// For a process that KillOnInterrupt's `fork` has made: forgets what its parent guards, which is the parent's to

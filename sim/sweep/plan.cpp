@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "sim/command/frame_source.h"
 #include "sim/config/dump.h"
 #include "sim/report/digest.h"
 #include "sim/sweep/figures.h"
@@ -146,7 +147,7 @@ SweepPoints plan_of(Grid grid, const Rows& searched) {
   SweepPoints plan;
   check_objectives(grid);
   plan.grid = std::move(grid);
-  for (const SourceOptions& scene : plan.grid.scenes) plan.scene_sha256.push_back(sha256_of_file(scene.path));
+  for (const SourceOptions& scene : plan.grid.scenes) plan.scene_sha256.push_back(sha256_of_input(scene.path));
   const Rows rows = rows_of(plan.grid, searched);
   if (rows.size() * plan.grid.scenes.size() > maximum_points) {
     throw InputError(plan.grid.file, fmt::format("has more than {} points; fewer would be right", maximum_points));

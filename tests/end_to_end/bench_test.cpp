@@ -47,6 +47,14 @@ TEST_F(BenchTest, EveryModeOfEverySceneHasARow) {
   }
 }
 
+TEST_F(BenchTest, WithoutAListAllModesOfAFrameAreMeasured) {
+  fine({"bench", "tiny.obj", "--size", "8x8", "--repeats", "1", "--no-growth", "-o", "out"});
+  const auto rows = csv("out/bench.csv");
+  const char* modes[] = {"golden", "functional", "analytic", "event", "clocked"};
+  ASSERT_EQ(rows.size(), 1 + std::size(modes));
+  for (std::size_t i = 0; i < std::size(modes); ++i) EXPECT_EQ(rows[i + 1][5], modes[i]);
+}
+
 TEST_F(BenchTest, ATraceIsMeasuredAtItsOwnSize) {
   fine({"import", "tiny.obj", "--size", "8x8", "--frames", "2:4", "-o", "tiny.artu"});
   const Finished bench = fine({"bench", "tiny.artu", "--repeats", "1", "--fidelity", "event", "-o", "out"});
@@ -59,7 +67,9 @@ TEST_F(BenchTest, BadInputIsRefused) {
   const auto before = content();
   EXPECT_THAT(refused({"bench", "none.obj"}), HasSubstr("none.obj: no such file"));
   EXPECT_THAT(refused({"bench", "empty"}), HasSubstr("empty: holds no scene"));
-  EXPECT_THAT(refused({"bench", "tiny.obj", "--fidelity", "guess"}), HasSubstr("guess"));
+  EXPECT_THAT(refused({"bench", "tiny.obj", "--fidelity", "guess"}),
+              HasSubstr("\"guess\" is none; golden, functional,"));
+  EXPECT_THAT(refused({"bench", "tiny.obj", "--fidelity", "event,sampled"}), HasSubstr("artu sampling"));
   EXPECT_THAT(refused({"bench", "tiny.obj", "--fidelity", "event,"}), HasSubstr("--fidelity"));
   EXPECT_THAT(refused({"bench", "tiny.obj", "--repeats", "0"}), HasSubstr("--repeats"));
   EXPECT_THAT(refused({"bench", "tiny.obj", "--size", "8"}), HasSubstr("640x360"));

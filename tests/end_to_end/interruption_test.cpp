@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 
@@ -54,6 +55,38 @@ TEST_F(InterruptionTest, AStandardOutputWithoutRoomIsOneLine) {
     const Finished run = shell("$artu " + std::string(command) + " >/dev/full");
     EXPECT_EQ(run.code, 2);
     EXPECT_THAT(run.err, HasSubstr("standard output"));
+  }
+}
+
+/// A gnuplot that says that all went well, as the real one does when the disk is full.
+TEST_F(InterruptionTest, APlotThatIsCutOffIsOneLineAndLeavesNothing) {
+  std::filesystem::create_directory(path("bin"));
+  write("bin/gnuplot", "#!/bin/sh\nprintf '<svg' > scaling.svg\n");
+  std::filesystem::permissions(path("bin/gnuplot"), std::filesystem::perms::owner_all);
+  const Finished run =
+      shell("PATH=$PWD/bin:$PATH $artu scaling tiny.obj --size 8x8 --vary core.count=1,2 --quiet -o out");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, AllOf(StartsWith("error: "), HasSubstr("scaling.svg: gnuplot could not write all of it")));
+  EXPECT_THAT(content(), ElementsAre("bin", "tiny.obj"));
+}
+
+TEST_F(InterruptionTest, AReaderThatGoesAwayLeavesNothing) {
+  const Finished run = shell(
+      "{ $artu run tiny.obj --size 160x90 --frames 0:100 --log '*=debug' -o out 2>&1; echo $? > code; } | head -n 1");
+  EXPECT_THAT(run.out, StartsWith("log: "));
+  EXPECT_EQ(read("code"), std::to_string(128 + SIGPIPE) + "\n");
+  EXPECT_THAT(content(), ElementsAre("code", "tiny.obj"));
+}
+
+TEST_F(InterruptionTest, SignalsRemoveWhatIsNotComplete) {
+  for (const char* jobs : {"1", "3"}) {
+    for (const char* signal : {"PIPE", "HUP"}) {
+      const Finished run =
+          shell(std::string("$artu run tiny.obj --size 640x360 --frames 0:1000 -o out --jobs ") + jobs +
+                " & until test -e out.partial; do sleep 0.02; done; kill -" + signal + " $!; wait $!");
+      EXPECT_GT(run.code, 128) << signal;
+      EXPECT_THAT(content(), ElementsAre("tiny.obj")) << signal;
+    }
   }
 }
 

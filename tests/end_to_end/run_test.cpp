@@ -156,6 +156,43 @@ TEST_F(RunTest, ForceReplacesNothingButRuns) {
   EXPECT_EQ(read("mine/thesis.txt"), "precious");
 }
 
+TEST_F(RunTest, NoFileIsWrittenTwiceOrOverTheInputOrLostWithAFolder) {
+  write("unit.toml", "core.count = 2\n");
+  std::filesystem::create_directory(path("out"));
+  const auto before = content();
+  const std::vector<std::string> run{"run", "tiny.obj", "--size", "8x8", "-c", "unit.toml", "-o", "out", "--force"};
+  const auto refuses = [&](std::vector<std::string> more, const std::string& message) {
+    more.insert(more.begin(), run.begin(), run.end());
+    EXPECT_THAT(refused(more), HasSubstr(message));
+    EXPECT_EQ(content(), before);
+    EXPECT_TRUE(content("out").empty());
+  };
+  refuses({"--dump-pixels", "p", "--memory-trace", "./p"}, "./p is the file of --dump-pixels as well");
+  refuses({"--dump-pixels", "out/p.csv"}, "out/p.csv is in the folder of -o");
+  refuses({"--trace", "vcd=out/../out/t.vcd"}, "is in the folder of -o");
+  refuses({"--memory-trace", "out"}, "is in the folder of -o");
+  refuses({"--dump-pixels", "./tiny.obj"}, "./tiny.obj: is the input");
+  refuses({"--memory-trace", "unit.toml"}, "unit.toml: is the input");
+  EXPECT_THAT(refused({"import", "tiny.obj", "-o", "./tiny.obj", "--force"}), HasSubstr("is the input"));
+}
+
+/// Or two runs would look as if they were of the same scene.
+TEST_F(RunTest, TheDigestOfTheInputIsOfAllItsFiles) {
+  write("a.stage.toml", "[[file]]\npath = \"tiny.obj\"\n");
+  const auto digest = [&](const std::string& scene) {
+    fine({"run", scene, "--size", "8x8", "-o", "out", "--force"});
+    return nlohmann::json::parse(read("out/manifest.json")).at("input").at("sha256").get<std::string>();
+  };
+  const auto printed = [&](const std::string& commands) {
+    return program("/bin/sh", {"-c", commands}).out.substr(0, 64);
+  };
+  EXPECT_EQ(digest("tiny.obj"), printed("sha256sum tiny.obj"));
+  const std::string before = digest("a.stage.toml");
+  EXPECT_EQ(before, printed("sha256sum a.stage.toml tiny.obj | sha256sum"));
+  write("tiny.obj", read("tiny.obj") + "v 0 0 0\n");
+  EXPECT_NE(digest("a.stage.toml"), before);
+}
+
 TEST_F(RunTest, WithoutAFolderTheNextFreeOneIsMade) {
   EXPECT_THAT(fine({"run", "tiny.obj", "--size", "8x8"}).out, HasSubstr("runs/tiny-1"));
   EXPECT_THAT(fine({"run", "tiny.obj", "--size", "8x8"}).out, HasSubstr("runs/tiny-2"));

@@ -107,6 +107,16 @@ TEST_F(SweepTest, AResumedSweepDoesNoPointTwice) {
   EXPECT_EQ(std::filesystem::last_write_time(path("out/" + column("folder")[0] + "/stats.json")), first);
 }
 
+TEST_F(SweepTest, ASceneThatAnotherFileHasChangedIsAnotherScene) {
+  write("a.stage.toml", "[[file]]\npath = \"tiny.obj\"\n");
+  write("grid.toml", "scenes = [\"a.stage.toml\"]\nsize = \"16x12\"\n[grid]\ncore.count = [1, 2]\n");
+  fine({"sweep", "grid.toml", "-o", "out"});
+  std::filesystem::remove_all(path("out/" + column("folder")[1]));
+  write("tiny.obj", read("tiny.obj") + "f 2 3 5\n");
+  EXPECT_THAT(refused({"sweep", "grid.toml", "-o", "out", "--resume"}),
+              HasSubstr("is of another sweep: scenes/0/sha256"));
+}
+
 TEST_F(SweepTest, PartsMakeUpTheWhole) {
   grid("[grid]\ncore.count = [1, 2, 3, 4, 5]\n");
   fine({"sweep", "grid.toml", "-o", "whole"});

@@ -74,6 +74,9 @@ TEST_F(UsageTest, BadCommandLinesAreRefused) {
   EXPECT_THAT(refused({"run", "-c"}), HasSubstr("config"));
   EXPECT_THAT(refused({"import", "a.obj"}), HasSubstr("--output"));
   EXPECT_THAT(refused({"diff", "a.png"}), HasSubstr("B.png"));
+  EXPECT_THAT(refused({"run", "a.obj", "-o", ""}), HasSubstr("--output: is empty"));
+  EXPECT_THAT(refused({"run", "a.obj", "-c", ""}), HasSubstr("--config: is empty"));
+  EXPECT_THAT(refused({"diff", "a.png", ""}), HasSubstr("is empty; a value would be right"));
   EXPECT_THAT(content(), IsEmpty());
 }
 

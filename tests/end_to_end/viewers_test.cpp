@@ -145,8 +145,8 @@ TEST_F(ViewersTest, BadRequestsAreRefused) {
   refuses({"--trace", "perfetto="}, "names no file");
   refuses({"--trace", "perfetto=old"}, "--force");
   refuses({"--trace", "perfetto=none/x"}, "none/x");
-  refuses({"--trace", "perfetto=same", "--memory-trace", "same"}, "another file of this run");
-  refuses({"--trace", "perfetto", "--trace", "perfetto"}, "another file of this run");
+  refuses({"--trace", "perfetto=same", "--memory-trace", "./same"}, "same is the file of --memory-trace as well");
+  refuses({"--trace", "perfetto", "--trace", "perfetto"}, "perfetto is asked for twice");
   refuses({"--trace", "perfetto", "--frames", "0:2"}, "--frames 0 would be right");
   refuses({"--trace", "perfetto", "--jobs", "2"}, "without --jobs");
   refuses({"--trace", "perfetto", "--fidelity", "functional"}, "event would be right");

@@ -17,7 +17,7 @@ void declare(CLI::App& command, BenchOptions& bench) {
   add_configuration(command, bench);
   command
       .add_option("--fidelity", bench.fidelity,
-                  "Modes, between commas: golden (the golden model) and those of `artu run`; default all")
+                  "Modes, between commas: golden (the golden model), functional, analytic, event, clocked; default all")
       ->option_text("LIST")
       ->group("Measurement");
   command.add_option("--repeats", bench.repeats, fmt::format("Rounds that are timed; default {}", bench.repeats))
@@ -27,7 +27,7 @@ void declare(CLI::App& command, BenchOptions& bench) {
   command
       .add_option_function<std::string>(
           "--seed", [&bench](const std::string& seed) { bench.seed = parse_seed(seed); },
-          "Of the order in which modes take turns, and of sampled; default 1")
+          "Of the order in which modes take turns; default 1")
       ->option_text("N")
       ->group("Measurement");
   command
