@@ -1,14 +1,17 @@
 #include "sim/sweep/grid.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 
+#include "sim/import/import.h"
 #include "sim/sweep/grid_axes.h"
 #include "sim/sweep/toml_file.h"
 #include "traces/error.h"
+#include "traces/trace.h"
 
 namespace artu::sim {
 namespace fs = std::filesystem;
@@ -71,6 +74,26 @@ class Reader {
     if (const toml::node* fps = table.get("fps")) source.fps = file_.real(*fps, "fps");
   }
 
+  /// A file with two ranges of frames is two scenes, whose points are not compared with each other.
+  void name_scenes() {
+    for (std::size_t i = 0; i < grid_.scenes.size(); ++i) {
+      const SourceOptions& scene = grid_.scenes[i];
+      bool frames = false, size = false, fps = false;
+      for (const SourceOptions& other : grid_.scenes) {
+        if (other.path != scene.path) continue;
+        frames |= other.frames != scene.frames;
+        size |= other.size != scene.size;
+        fps |= other.fps != scene.fps;
+      }
+      std::vector<std::string> differs;
+      if (frames) differs.push_back("frames " + scene.frames.value_or(traces::is_trace(scene.path) ? "first" : "0:1"));
+      if (size) differs.push_back(scene.size.value_or("640x360"));
+      if (fps) differs.push_back(fmt::format("{} fps", scene.fps.value_or(ImportOptions{}.fps)));
+      const std::string more = fmt::format(" ({})", fmt::join(differs, "; "));
+      grid_.scene_names.push_back(grid_.scene_files[i] + (differs.empty() ? "" : more));
+    }
+  }
+
   void scenes() {
     const toml::node* scenes = find("scenes");
     if (scenes == nullptr) throw InputError(grid_.file, "has no scenes; scenes = [\"scene.glb\"] would be right");
@@ -94,8 +117,9 @@ class Reader {
         if (same) file_.refuse(item, scene.path + " is there twice; once would be right");
       }
       grid_.scenes.push_back(scene);
-      grid_.scene_names.push_back(written);
+      grid_.scene_files.push_back(written);
     }
+    name_scenes();
     if (grid_.scenes.empty()) file_.refuse(*scenes, "scenes is empty; [\"scene.glb\"] would be right");
   }
 

@@ -33,7 +33,8 @@ struct Screen {
 struct Grid {
   std::string file;
   std::vector<SourceOptions> scenes;      // paths from the working directory
-  std::vector<std::string> scene_names;   // as written
+  std::vector<std::string> scene_files;   // as written
+  std::vector<std::string> scene_names;   // the same; of a file that is there more than once, with what differs
   std::vector<std::string> config_files;  // the same
   std::vector<std::string> assignments;   // path=value, after the files
   Configuration base;                     // files and assignments

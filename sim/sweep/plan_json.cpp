@@ -58,7 +58,7 @@ std::string to_json(const SweepPoints& plan) {
   json["scenes"] = Json::array();
   for (std::size_t i = 0; i < grid.scenes.size(); ++i) {
     const SourceOptions& scene = grid.scenes[i];
-    json["scenes"].push_back({{"file", grid.scene_names[i]},
+    json["scenes"].push_back({{"file", grid.scene_files[i]},
                               {"sha256", plan.scene_sha256[i]},
                               {"frames", scene.frames ? Json(*scene.frames) : Json()},
                               {"size", scene.size ? Json(*scene.size) : Json()},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "end_to_end/program.h"
@@ -105,6 +106,18 @@ TEST_F(SweepTest, AResumedSweepDoesNoPointTwice) {
   EXPECT_TRUE(exists(folder + "/stats.json"));
   EXPECT_EQ(read("out/points.csv"), table);
   EXPECT_EQ(std::filesystem::last_write_time(path("out/" + column("folder")[0] + "/stats.json")), first);
+}
+
+TEST_F(SweepTest, AFileThatIsSeveralScenesHasANameForEach) {
+  write("grid.toml",
+        "scenes = [\"tiny.obj\", {file = \"tiny.obj\", frames = \"0:2\"}, {file = \"tiny.obj\", fps = 60}]\n"
+        "size = \"8x8\"\n[grid]\ncore.count = [1, 2]\n");
+  fine({"sweep", "grid.toml", "-o", "out"});
+  const std::vector<std::string> names = column("scene");
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()),
+            (std::set<std::string>{"tiny.obj (frames 0:1; 30 fps)", "tiny.obj (frames 0:2; 30 fps)",
+                                   "tiny.obj (frames 0:1; 60 fps)"}));
+  EXPECT_EQ(json("out/sweep.json").at("scenes").at(1).at("file"), "tiny.obj");
 }
 
 TEST_F(SweepTest, ASceneThatAnotherFileHasChangedIsAnotherScene) {
