@@ -139,7 +139,11 @@ class StageReader {
       const auto it = std::find(names.begin(), names.end(), name);
       if (it == names.end()) {
         if (name == "none") return;
-        file.fail("clip", "\"" + name + "\" is not a clip of this file" + suggest(name, names));
+        const bool unnamed = std::all_of(names.begin(), names.end(), [](const std::string& n) { return n.empty(); });
+        const std::string number =
+            names.size() > 1 ? "; a number, 0 ... " + std::to_string(names.size() - 1) + "," : "; the number 0";
+        file.fail("clip", "\"" + name + "\" is not a clip of this file" + suggest(name, names) +
+                              (unnamed && !names.empty() ? number + " would be right" : ""));
       }
       chosen = static_cast<std::size_t>(it - names.begin());
     }

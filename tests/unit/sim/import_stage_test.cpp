@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "sim/import/stage_toml.h"
 #include "unit/sim/import_fixture.h"
 
 namespace artu::sim::test {
@@ -208,6 +209,26 @@ TEST_F(Stage, NamesThatDoNotExistAreSuggested) {
               HasSubstr("\"stil\" is not a node of this file, did you mean \"still\"?"));
   EXPECT_THAT(error(one + "[[file.node]]\nname = \"moved\"\n"), HasSubstr("did you mean \"mover\"?"));
   EXPECT_THAT(error(one + "[[file.material]]\nname = \"pain\"\n"), HasSubstr("did you mean \"paint\"?"));
+}
+
+TEST_F(Stage, WhatHasNoNamesIsCounted) {
+  EXPECT_THAT(suggest("walk", {}), EndsWith("; there are none"));
+  EXPECT_THAT(suggest("walk", {"", ""}), EndsWith("; it has 2, and none has a name"));
+  EXPECT_THAT(suggest("walk", {"", "jump"}), EndsWith("; there are: jump"));
+  EXPECT_THAT(suggest("foo", {"box"}), EndsWith("; there are: box"));
+  Gltf g;
+  g.triangle();
+  g.j["nodes"] = {{{"mesh", 0}}};
+  g.j["scenes"] = {{{"nodes", {0}}}};
+  const int times = g.scalars({0, 2}), values = g.vec3({0, 0, 0, 8, 0, 0});
+  for (int i = 0; i < 2; ++i) {
+    g.add("animations", {{"samplers", {{{"input", times}, {"output", values}}}},
+                         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}});
+  }
+  folder.write("unnamed.gltf", g.text());
+  EXPECT_THAT(error("[[file]]\npath = \"unnamed.gltf\"\nclip = \"walk\"\n"),
+              EndsWith("clip \"walk\" is not a clip of this file; it has 2, and none has a name; a number, 0 ... 1, "
+                       "would be right"));
 }
 
 TEST_F(Stage, KeysMustBeInOrder) {
