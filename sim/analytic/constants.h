@@ -2,6 +2,8 @@
 // scenes and units, and how far others are from it).
 #pragma once
 
+#include <cstdint>
+
 namespace artu::sim {
 
 struct Constants {
@@ -26,5 +28,7 @@ struct Constants {
   double write_low = 0.65, write_high = 2.0;
 };
 inline constexpr Constants calibrated;
+/// Of the pictures that they were fitted on: of smaller ones, more of the frame is what the model simplifies.
+inline constexpr std::uint64_t calibrated_pixels = 320 * 180;
 
 }  // namespace artu::sim

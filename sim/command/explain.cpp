@@ -56,6 +56,7 @@ Explanation of_folder(const ExplainOptions& options, std::vector<std::string>& l
                      "such options, would be right");
   }
   const StoredRun run = read_run(source.path);
+  require_exact(run.totals.fidelity, source.path);
   Explanation explanation;
   try {
     explanation = explain(run.totals, run.unit);

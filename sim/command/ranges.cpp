@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "sim/report/names.h"
@@ -20,6 +21,11 @@ std::optional<Number> parse_number(const std::string& text) {
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || stop != end) return std::nullopt;
   return value;
+}
+
+/// Whether it is an integer without a sign, be it too large for any number here.
+bool is_integer(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
 /// At least one item; "a,,b" has an empty one.
@@ -38,9 +44,14 @@ std::vector<std::string> split(const std::string& text, char separator) {
 std::optional<FrameRange> parse_frames(const std::string& text) {
   if (text == "all") return std::nullopt;
   const std::size_t colon = text.find(':');
-  const auto first = parse_number(text.substr(0, colon));
-  const auto last = colon == std::string::npos ? std::optional<std::uint32_t>(first ? *first + 1 : 0)
-                                               : parse_number(text.substr(colon + 1));
+  const std::string from = text.substr(0, colon), to = colon == std::string::npos ? from : text.substr(colon + 1);
+  const auto first = parse_number(from);
+  auto last = parse_number(to);
+  constexpr std::uint32_t end = std::numeric_limits<std::uint32_t>::max();  // behind every frame
+  if (is_integer(from) && is_integer(to) && (first.value_or(end) == end || !last)) {
+    throw InputError("--frames", fmt::format("{} is out of range; frames of 0 ... {} would be right", text, end - 1));
+  }
+  if (last && colon == std::string::npos) ++*last;
   if (!first || !last) {
     throw InputError("--frames",
                      fmt::format("\"{}\" is not a range; A:B (B is not included), A or all would be right", text));
@@ -54,9 +65,9 @@ std::optional<FrameRange> parse_frames(const std::string& text) {
 
 PictureSize parse_size(const std::string& text) {
   const std::size_t cross = text.find('x');
-  const auto width = parse_number(text.substr(0, cross));
-  const auto height = cross == std::string::npos ? std::nullopt : parse_number(text.substr(cross + 1));
-  if (!width || !height) {
+  const std::string x = text.substr(0, cross), y = cross == std::string::npos ? "" : text.substr(cross + 1);
+  const auto width = parse_number(x), height = parse_number(y);
+  if (!is_integer(x) || !is_integer(y)) {
     throw InputError("--size", fmt::format("\"{}\" is not a size; WIDTHxHEIGHT such as 640x360 would be right", text));
   }
   const PictureSize size{width.value_or(0), height.value_or(0)};
@@ -149,6 +160,12 @@ PictureSet parse_pictures(const std::string& text) {
   if (text == "none") return set;
   for (const std::string& item : split(text, ',')) {
     const auto* known = std::find(std::begin(picture_names), std::end(picture_names), item);
+    if (item == "none") {
+      throw InputError("--pictures",
+                       fmt::format("none stands alone, and \"{}\" has more; none, or the others without it, would be "
+                                   "right",
+                                   text));
+    }
     if (item != "all" && known == std::end(picture_names)) {
       std::string names;
       for (const char* name : picture_names) names += std::string(name) + ", ";

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "sim/analytic/constants.h"
 #include "sim/command/commands.h"
 #include "sim/command/example_scene.h"
 #include "sim/command/frame_source.h"
@@ -261,6 +262,11 @@ int run_command(const RunOptions& options) {
   if (report->traces().empty()) {
     log.push_back(fmt::format("--trace-from {} is behind the frame's {} cycles: the trace is empty",
                               options.trace.window.from, result.sum.cycles));
+  }
+  const std::uint64_t pixels = std::uint64_t{source.scene().width} * source.scene().height;
+  if (result.sum.fidelity == Fidelity::analytic && pixels < calibrated_pixels) {
+    log.push_back(fmt::format("analytic is calibrated on pictures of 320x180; of {}x{} the intervals may be too narrow",
+                              source.scene().width, source.scene().height));
   }
   print_notes(log, options.quiet);
   if (!options.quiet) {

@@ -63,6 +63,11 @@ RunReport::RunReport(const RunOptions& options) : several_processes_(options.job
   if (options.simulation.timeline && !folder_) {
     throw InputError("--timeline", "there is no folder for it; -o DIR as well would be right");
   }
+  const bool writes_files =
+      !options.pixel_csv.empty() || !options.memory_trace.empty() || !options.trace.requests.empty();
+  if (options.force && !folder_ && !writes_files) {
+    throw InputError("--force", "there is nothing it could replace; -o DIR as well would be right");
+  }
   set_ = options.pictures.value_or(PictureSet{Picture::frame, Picture::decision, Picture::hit_class});
   if (folder_) {
     json_ = std::make_unique<StatsJson>(folder_->file("stats.json"));

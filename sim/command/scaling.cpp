@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "sim/command/commands.h"
 #include "sim/command/frame_source.h"
 #include "sim/command/progress.h"
@@ -7,6 +9,7 @@
 #include "sim/command/unit_totals.h"
 #include "sim/config/configuration.h"
 #include "sim/config/dump.h"
+#include "sim/config/parameter_list.h"
 #include "sim/report/file.h"
 #include "sim/report/gnuplot.h"
 #include "sim/report/run_folder.h"
@@ -16,12 +19,31 @@
 namespace artu::sim {
 namespace {
 
+/// The value that a unit has, however it was written: "64KiB" and 65536 are one.
+std::string value_of(const std::string& parameter, const hw::UnitConfig& unit) {
+  const std::vector<std::string> values = parameter_values(unit);
+  const std::vector<ParameterInfo> all = parameter_list();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].path == parameter) return values[i];
+  }
+  return "";  // never: the configuration knows it
+}
+
 std::vector<hw::UnitConfig> units_of(const ScalingOptions& options, const Variation& variation) {
   std::vector<hw::UnitConfig> units;
+  std::vector<std::string> values;
   for (const std::string& value : variation.values) {
-    std::vector<std::string> assignments = options.assignments;
-    assignments.push_back(variation.parameter + "=" + value);
-    units.push_back(Configuration::of(options.config_files, assignments).unit());
+    Configuration configuration;
+    for (const std::string& file : options.config_files) configuration.load(file);
+    for (const std::string& assignment : options.assignments) configuration.set(assignment);
+    configuration.set(variation.parameter + "=" + value, "--vary");
+    configuration.check();
+    units.push_back(configuration.unit());
+    values.push_back(value_of(variation.parameter, units.back()));
+    if (std::count(values.begin(), values.end(), values.back()) > 1) {
+      throw InputError(
+          "--vary", fmt::format("{} has the value {} twice; once would be right", variation.parameter, values.back()));
+    }
   }
   return units;
 }

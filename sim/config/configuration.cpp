@@ -95,7 +95,7 @@ void Configuration::set(const std::string& assignment, const std::string& place)
   const auto parameters = parameter_list();
   const bool known = std::any_of(parameters.begin(), parameters.end(), [&](const auto& p) { return p.path == path; });
   if (!known) {
-    throw InputError(place, fmt::format("unknown parameter {}; did you mean {}?", path, nearest_parameter(path)));
+    throw InputError(place, unknown_parameter(path));
   }
   assign(
       parse_assignment(path, value, place), [&place](const toml::node&) { return place; }, unit_, places_);

@@ -25,7 +25,8 @@ std::string place_of(const Places& places, std::initializer_list<std::string> pa
 /// Every group with a `size` and `ways` is a cache: a set must fit into it.
 class CacheCheck : public PathVisitor {
  public:
-  CacheCheck(std::uint32_t line, const Places& places) : line_(line), places_(places) {}
+  CacheCheck(std::uint32_t line, std::uint32_t l2_banks, const Places& places)
+      : line_(line), l2_banks_(l2_banks), places_(places) {}
 
   void integer(const char* name, std::uint32_t& value, hw::IntegerRange, const char*, const char*) override {
     const std::string field = name;
@@ -33,10 +34,14 @@ class CacheCheck : public PathVisitor {
     if (field != "ways") return;
     const std::uint64_t set = std::uint64_t{value} * line_;
     if (set <= size_) return;
-    throw InputError(
-        place_of(places_, {path("ways"), path("size")}),
-        fmt::format("{} = {} needs {} bytes in lines of {}, more than {} = {}; at most {} ways would be right",
-                    path("ways"), value, set, line_, path("size"), size_, size_ / line_));
+    // Every bank of the L2 has sets of its own, so what is right there depends on them as well.
+    const std::uint32_t lines = size_ / line_, banks = path("ways") == "memory.l2.ways" ? l2_banks_ : 1;
+    const std::string fewer = banks > lines ? fmt::format(" and memory.l2_banks = {}", lines) : "";
+    const std::uint32_t ways = banks > lines ? 1 : lines / banks;
+    const std::string right = ways == 1 ? "1 way" + fewer : fmt::format("at most {} ways", ways);
+    throw InputError(place_of(places_, {path("ways"), path("size")}),
+                     fmt::format("{} = {} needs {} bytes in lines of {}, more than {} = {}; {} would be right",
+                                 path("ways"), value, set, line_, path("size"), size_, right));
   }
   void real(const char*, float&, hw::RealRange, const char*, const char*) override {}
   void flag(const char*, bool&, const char*) override {}
@@ -44,7 +49,7 @@ class CacheCheck : public PathVisitor {
   void choice(const char*, unsigned&, const std::vector<const char*>&, const char*) override {}
 
  private:
-  std::uint32_t line_, size_ = 0;
+  std::uint32_t line_, l2_banks_, size_ = 0;
   const Places& places_;
 };
 
@@ -120,7 +125,7 @@ void cross_check(const hw::UnitConfig& unit, const Places& places) {
                                  parameter, morton ? "morton" : "true", morton ? "sah" : "false"));
   }
   hw::UnitConfig copy = unit;
-  CacheCheck caches(unit.memory.line, places);
+  CacheCheck caches(unit.memory.line, banks, places);
   copy.visit(caches);
   const std::uint64_t bank_set = std::uint64_t{banks} * unit.memory.l2.ways * unit.memory.line;
   if (bank_set > unit.memory.l2.size) {

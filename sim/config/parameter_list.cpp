@@ -95,6 +95,18 @@ std::string nearest_parameter(const std::string& path) {
   return nearest;
 }
 
+std::string unknown_parameter(const std::string& path) {
+  const std::string shown = path.substr(0, 200), nearest = nearest_parameter(path);
+  const std::string unknown = "unknown parameter " + shown;
+  const std::vector<std::string> groups = parameter_groups();
+  if (std::find(groups.begin(), groups.end(), path) != groups.end()) {
+    return unknown + ", which is a group; a parameter of it, such as " + nearest + ", would be right";
+  }
+  // The last part decides: energy.foo is not energy.box, but clock_mhz is unit.clock_mhz.
+  if (resembles(last_component(shown), last_component(nearest))) return unknown + "; did you mean " + nearest + "?";
+  return unknown + "; one of those that artu run --list-params prints would be right";
+}
+
 std::string format_parameter_list() {
   const std::vector<ParameterInfo> parameters = parameter_list();
   std::size_t path = 4, value = 7, unit = 4, range = 5;

@@ -36,6 +36,9 @@ std::vector<std::string> parameter_groups();
 /// The parameter that a misspelt path most likely means.
 std::string nearest_parameter(const std::string& path);
 
+/// What to say of a path that is none: "unknown parameter ..." with the nearest one, if any is near.
+std::string unknown_parameter(const std::string& path);
+
 /// The table that `--list-params` prints.
 std::string format_parameter_list();
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "sim/config/parameter_list.h"
 #include "sim/config/text.h"
@@ -14,7 +16,10 @@ namespace {
 
 std::string value_text(const toml::node& node) {
   if (const auto* v = node.as_integer()) return fmt::format("{}", v->get());
-  if (const auto* v = node.as_floating_point()) return fmt::format("{}", v->get());
+  if (const auto* v = node.as_floating_point()) {
+    const std::string text = fmt::format("{}", v->get());
+    return text.find_first_of(".einf") == std::string::npos ? text + ".0" : text;  // 4.0 is not the integer 4
+  }
   if (const auto* v = node.as_boolean()) return v->get() ? "true" : "false";
   if (const auto* v = node.as_string()) return fmt::format("\"{}\"", v->get().substr(0, 80));
   if (node.is_array()) return "an array";
@@ -26,16 +31,31 @@ std::string with_unit(const std::string& range, const std::string& unit) {
   return unit.empty() ? range : range + " " + unit;
 }
 
+constexpr std::int64_t beyond = std::numeric_limits<std::int64_t>::max();  // every range
+
+/// Only digits; what does not fit is beyond every range.
+std::int64_t saturated(const std::string& digits) {
+  const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
+  return digits.size() - first > 18 ? beyond : std::stoll(digits.substr(first));
+}
+
+/// An integer that is too long for TOML, which comes as text then.
+bool is_long_integer(const std::string& text) {
+  const std::string digits = text.substr(text.find_first_of("+-") == 0 ? 1 : 0);
+  return digits.size() > 18 && digits.find_first_not_of("0123456789") == std::string::npos;
+}
+
 /// "16KiB" and the like; false if it is not a size.
 bool byte_size(const std::string& text, std::int64_t& value) {
   const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
-  if (digits == 0 || digits > 9) return false;
-  value = std::stoll(text.substr(0, digits));
+  if (digits == 0) return false;
+  value = saturated(text.substr(0, digits));
   const std::string suffix = text.substr(std::min(text.find_first_not_of(' ', digits), text.size()));
   const std::array<const char*, 4> suffixes{"B", "KiB", "MiB", "GiB"};
   const auto found = std::find(suffixes.begin(), suffixes.end(), suffix);
   if (found == suffixes.end()) return suffix.empty();
-  value <<= 10 * (found - suffixes.begin());
+  const auto shift = 10 * (found - suffixes.begin());
+  value = value > (beyond >> shift) ? beyond : value << shift;
   return true;
 }
 
@@ -89,9 +109,19 @@ std::uint32_t TomlAssigner::to_integer(const toml::node& node, const std::string
   } else if (unit == "bytes" && node.is_string()) {
     valid = byte_size(node.as_string()->get(), value);
   }
+  if (!valid && node.is_string() && is_long_integer(node.as_string()->get())) {
+    throw InputError(place_of_(node), fmt::format("{} = {} is out of range; {} would be right", path,
+                                                  node.as_string()->get().substr(0, 80), allowed));
+  }
   if (!valid) {
+    std::string right = allowed;
+    const auto* real = node.as_floating_point();
+    if (real && std::floor(real->get()) == real->get() && real->get() >= range.minimum &&
+        real->get() <= range.maximum) {
+      right = fmt::format("{:.0f}", real->get());
+    }
     throw InputError(place_of_(node),
-                     fmt::format("{} = {} is not an integer; {} would be right", path, value_text(node), allowed));
+                     fmt::format("{} = {} is not an integer; {} would be right", path, value_text(node), right));
   }
   if (value < range.minimum || value > range.maximum) {
     throw InputError(place_of_(node),
@@ -197,8 +227,7 @@ void refuse_unknown_keys(const toml::table& root, const PlaceOf& place_of) {
   Unknown first;
   find_unknown(root, "", parameters, parameter_groups(), first);
   if (!first.node) return;
-  throw InputError(place_of(*first.node),
-                   fmt::format("unknown parameter {}; did you mean {}?", first.path, nearest_parameter(first.path)));
+  throw InputError(place_of(*first.node), unknown_parameter(first.path));
 }
 
 }  // namespace artu::sim

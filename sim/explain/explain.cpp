@@ -8,12 +8,15 @@
 
 namespace artu::sim {
 
+void require_exact(Fidelity fidelity, const std::string& where) {
+  if (is_exact(fidelity)) return;
+  throw InputError(where, fmt::format("{} does not count what every block does in every cycle; a run with "
+                                      "--fidelity event would be right",
+                                      fidelity_name(fidelity)));
+}
+
 Explanation explain(const Totals& totals, const hw::UnitConfig& unit) {
-  if (!is_exact(totals.fidelity)) {
-    throw InputError("explain", fmt::format("{} does not count what every block does in every cycle; a run with "
-                                            "--fidelity event would be right",
-                                            fidelity_name(totals.fidelity)));
-  }
+  require_exact(totals.fidelity, "explain");
   Explanation out;
   out.frames = totals.frames;
   out.account = account(totals, unit);

@@ -18,7 +18,10 @@ struct Explanation {
   std::vector<std::uint64_t> measured;  // cycles with each advice taken, where that was simulated
 };
 
-/// Throws InputError for a fidelity that has not counted what every cycle went for.
+/// Throws InputError for a fidelity that has not counted what every cycle went for; `where` has the totals from.
+void require_exact(Fidelity fidelity, const std::string& where);
+
+/// Of totals that are exact; throws InputError for others.
 Explanation explain(const Totals& totals, const hw::UnitConfig& unit);
 
 /// Five lines, and one for each advice that was measured.

@@ -159,7 +159,8 @@ Finding latency(const Accounting& a) {
 /// Contexts are empty: something before the cores does not feed them.
 Finding starved(const Accounting& a, const hw::UnitConfig& unit) {
   const double empty = 1 - a.taken_of(Place::contexts);
-  if (a.unevenness >= uneven) {
+  const double for_each = a.pixels / (static_cast<double>(unit.core.count) * unit.core.contexts);
+  if (a.unevenness >= uneven && for_each >= 1) {  // fewer cannot be shared out evenly
     return waiting(a, Bound::uneven_cores, Place::contexts,
                    fmt::format("one core has {:.2f} times the mean number of pixels; {} of the contexts are empty",
                                a.unevenness, percent(empty)));
@@ -176,10 +177,9 @@ Finding starved(const Accounting& a, const hw::UnitConfig& unit) {
         fmt::format("the extractor waits for its pixel cache in {} of the passes' cycles", percent(a.extractor_waits)) +
             contexts);
   }
-  return waiting(
-      a, Bound::too_few_pixels, Place::contexts,
-      fmt::format("{} of the contexts are empty: {:.0f} traced pixels are {:.1f} for each of them", percent(empty),
-                  a.pixels, a.pixels / (static_cast<double>(unit.core.count) * unit.core.contexts)));
+  return waiting(a, Bound::too_few_pixels, Place::contexts,
+                 fmt::format("{} of the contexts are empty: {:.0f} traced pixels are {:.2g} for each of them",
+                             percent(empty), a.pixels, for_each));
 }
 
 std::vector<Finding> in_passes(const Accounting& a, const hw::UnitConfig& unit) {

@@ -42,7 +42,7 @@ class StageReader {
       scene_.sky = Sky{color(*sky, "zenith", {0.3, 0.45, 0.75}), color(*sky, "nadir", {0.4, 0.4, 0.4}),
                        color(*sky, "ambient", {0.15, 0.15, 0.17})};
     }
-    scene_.duration = root_.number("duration", 0, 0, 1e9);
+    if (root_.has("duration")) scene_.duration = root_.number("duration", 0, 1e-6, 1e9);
     return std::move(scene_);
   }
 
@@ -139,7 +139,11 @@ class StageReader {
       const auto it = std::find(names.begin(), names.end(), name);
       if (it == names.end()) {
         if (name == "none") return;
-        file.fail("clip", "\"" + name + "\" is not a clip of this file" + suggest(name, names));
+        const bool unnamed = std::all_of(names.begin(), names.end(), [](const std::string& n) { return n.empty(); });
+        const std::string number =
+            names.size() > 1 ? "; a number, 0 ... " + std::to_string(names.size() - 1) + "," : "; the number 0";
+        file.fail("clip", "\"" + name + "\" is not a clip of this file" + suggest(name, names) +
+                              (unnamed && !names.empty() ? number + " would be right" : ""));
       }
       chosen = static_cast<std::size_t>(it - names.begin());
     }
@@ -198,6 +202,26 @@ class StageReader {
     if (!found) table.fail("name", "\"" + name + "\" is not a material of this file" + suggest(name, names));
   }
 
+  /// A camera needs somewhere to look; `table` is its section or a key of it.
+  static void check_target(const StageTable& table, const glm::dvec3& position, const glm::dvec3& target) {
+    if (position != target) return;
+    if (table.has("target")) table.fail("target", "is the position; another point would be right");
+    table.fail("position", "is the target, [0, 0, 0] unless it is given; another point would be right");
+  }
+
+  /// An up that was given is not along a view.  The default one may be: a view straight down has an up of its own.
+  static void check_up(const StageTable& camera, const CameraTrack& track) {
+    if (!camera.has("up")) return;
+    if (!(glm::length(track.up) > 0)) camera.fail("up", "is zero; a direction such as [0, 1, 0] would be right");
+    const glm::dvec3 up = glm::normalize(track.up);
+    for (std::size_t i = 0; i < track.times.size(); ++i) {
+      const glm::dvec3 view = glm::normalize(track.targets[i] - track.positions[i]);
+      if (glm::length(glm::cross(view, up)) > 1e-6) continue;
+      camera.fail("up", std::string("is along the view from position to target; a direction across it, such as ") +
+                            (std::abs(up.y) > 0.5 ? "[0, 0, 1]" : "[0, 1, 0]") + ", would be right");
+    }
+  }
+
   void read_camera() {
     const auto table = root_.table("camera", camera_keys);
     if (!table) return;
@@ -217,6 +241,7 @@ class StageReader {
     const auto keys = table->tables("key", {"time", "position", "target"});
     if (keys.empty() || table->has("position")) position = table->required_vector("position");
     target = table->vector("target", target);
+    if (keys.empty()) check_target(*table, position, target);
     for (const StageTable& key : keys) {
       if (!key.has("time")) throw InputError(key.where(), "[[camera.key]]: time (seconds) is missing");
       const double time = key.number("time", 0, 0, 1e9);
@@ -225,12 +250,14 @@ class StageReader {
       track.times.push_back(time);
       track.positions.push_back(position = key.vector("position", position));
       track.targets.push_back(target = key.vector("target", target));
+      check_target(key, position, target);
     }
     if (keys.empty()) {
       track.times = {0};
       track.positions = {position};
       track.targets = {target};
     }
+    check_up(*table, track);
     scene_.camera = track;
   }
 

@@ -18,16 +18,19 @@ std::string line_of(const std::string& file, const toml::node& node) {
 }  // namespace
 
 std::string suggest(const std::string& name, const std::vector<std::string>& known) {
-  const std::string* nearest = nullptr;
-  std::size_t least = std::max<std::size_t>(2, name.size() / 3) + 1;
+  if (known.empty()) return "; there are none";
+  std::vector<std::string> names;
   for (const std::string& k : known) {
-    const std::size_t distance = edit_distance(name, k);
-    if (distance < least) least = distance, nearest = &k;
+    if (!k.empty()) names.push_back(k);
   }
-  if (nearest) return ", did you mean \"" + *nearest + "\"?";
+  if (names.empty()) return "; it has " + std::to_string(known.size()) + ", and none has a name";
+  const auto nearest = std::min_element(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
+    return edit_distance(name, a) < edit_distance(name, b);
+  });
+  if (resembles(name, *nearest)) return ", did you mean \"" + *nearest + "\"?";
   std::string list;
-  for (std::size_t i = 0; i < known.size() && i < 20; ++i) list += (i ? ", " : "") + known[i];
-  return known.empty() ? "; there are none" : "; there are: " + list + (known.size() > 20 ? ", ..." : "");
+  for (std::size_t i = 0; i < names.size() && i < 20; ++i) list += (i ? ", " : "") + names[i];
+  return "; there are: " + list + (names.size() > 20 ? ", ..." : "");
 }
 
 toml::table parse_stage_file(const std::string& path) {

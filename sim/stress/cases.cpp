@@ -66,8 +66,10 @@ std::vector<StressCase> stress_cases(const std::string& only, bool closed) {
     }
   }
   if (cases.empty()) {
-    throw InputError("--only", "unknown case \"" + only + (closed ? "\" of a closed mesh" : "\"") + "; did you mean " +
-                                   nearest_of(names, only) + "?");
+    const std::string nearest = nearest_of(names, only);
+    throw InputError("--only", "unknown case \"" + only + (closed ? "\" of a closed mesh; " : "\"; ") +
+                                   (resembles(only, nearest) ? "did you mean " + nearest + "?"
+                                                             : "one that artu stress --list prints would be right"));
   }
   return cases;
 }

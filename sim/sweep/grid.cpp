@@ -39,6 +39,7 @@ class Reader {
     simulation();
     objectives();
     screen();
+    sample();
     design();
     return std::move(grid_);
   }
@@ -220,6 +221,18 @@ class Reader {
         file_.refuse(*margin, "margin is a share; 0 ... 10 would be right");
     }
     grid_.screen = screen;
+  }
+
+  /// What only a sample has is refused where none is drawn.
+  void sample() const {
+    const bool sampled =
+        grid_.simulation.fidelity == Fidelity::sampled || (grid_.screen && grid_.screen->fidelity == Fidelity::sampled);
+    if (sampled) return;
+    for (const char* key : {"sample_share", "target_error", "seed"}) {
+      if (const toml::node* node = find(key)) {
+        file_.refuse(*node, std::string(key) + " is of fidelity = \"sampled\"; that as well would be right");
+      }
+    }
   }
 
   void design() {

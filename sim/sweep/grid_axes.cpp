@@ -39,8 +39,7 @@ void AxisReader::collect(const toml::table& table, const std::string& prefix, co
     } else if (node->is_table() && has(groups_, path)) {
       collect(*node->as_table(), path, keys, entries);
     } else {
-      file_.refuse(*node,
-                   fmt::format("unknown parameter {}; did you mean {}?", path.substr(0, 200), nearest_parameter(path)));
+      file_.refuse(*node, unknown_parameter(path));
     }
   }
 }

@@ -36,6 +36,9 @@ void TomlFile::allow(const toml::table& table, const std::vector<std::string>& k
     const auto nearest = std::min_element(keys.begin(), keys.end(), [&](const std::string& a, const std::string& b) {
       return edit_distance(wrong, a) < edit_distance(wrong, b);
     });
+    if (!resembles(wrong, *nearest)) {
+      refuse(*node, fmt::format("unknown key {}; there are {}", wrong, fmt::join(keys, ", ")));
+    }
     refuse(*node, fmt::format("unknown key {}; did you mean {}? There are {}", wrong, *nearest, fmt::join(keys, ", ")));
   }
 }

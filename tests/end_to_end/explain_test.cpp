@@ -56,6 +56,7 @@ TEST_F(ExplainTest, BadInputIsRefused) {
   fine({"run", "tiny.obj", "--size", "8x8", "-o", "s", "--random-stall"});
   EXPECT_THAT(refused({"explain", "none"}), HasSubstr("none"));
   EXPECT_THAT(refused({"explain", "."}), HasSubstr("stats.json: is not there"));
+  EXPECT_THAT(refused({"explain", "f"}), HasSubstr("error: f: functional does not count"));
   EXPECT_THAT(refused({"explain", "f"}), HasSubstr("--fidelity event would be right"));
   EXPECT_THAT(refused({"explain", "a", "--frames", "1"}), HasSubstr("a: is a run's folder"));
   EXPECT_THAT(refused({"explain", "a", "--set", "core.count=2"}), HasSubstr("a: is a run's folder"));

@@ -40,6 +40,12 @@ TEST_F(MessagesTest, OfGrids) {
   const std::string point = "[[point]]\ncore.count = 1\n", axis = "[grid]\ncore.count = [1, 2]\n";
   EXPECT_THAT(grid("fidelity = \"sampled\"\nsample_share = \"10%\"\ntarget_error = \"1%\"\n" + axis),
               HasSubstr("target_error and sample_share exclude each other"));
+  EXPECT_THAT(grid("sample_share = \"10%\"\n" + axis),
+              HasSubstr("grid.toml:3: sample_share is of fidelity = \"sampled\"; that as well would be right"));
+  EXPECT_THAT(grid("fidelity = \"analytic\"\ntarget_error = \"1%\"\n" + axis),
+              HasSubstr("grid.toml:4: target_error is of fidelity"));
+  EXPECT_THAT(grid("seed = 3\n[screen]\nfidelity = \"analytic\"\n" + axis),
+              HasSubstr("grid.toml:3: seed is of fidelity"));
   EXPECT_THAT(grid("invalid = \"drop\"\n" + axis), HasSubstr("refuse or skip would be right"));
   EXPECT_THAT(grid("objectives = [{goal = \"minimise\"}]\n" + axis), HasSubstr("the objective has no figure"));
   EXPECT_THAT(grid("objectives = [{figure = \"fps\", goal = \"best\"}]\n" + axis),

@@ -138,6 +138,8 @@ TEST_F(QualityTest, BadOptionsAreRefused) {
   EXPECT_THAT(refused({"quality", "tiny.obj", "-o", "/proc/artu"}), HasSubstr("/proc/artu"));
   EXPECT_THAT(refused({"quality", "tiny.obj", "-o", "tiny.obj/out"}), HasSubstr("tiny.obj: cannot write"));
   EXPECT_THAT(refused({"check", "tiny.obj", "--size", "8x8", "--pictures", "all"}), HasSubstr("-o DIR"));
+  EXPECT_THAT(refused({"check", "tiny.obj", "--size", "8x8", "--force"}),
+              HasSubstr("--force: there is nothing it could replace; -o DIR as well would be right"));
   EXPECT_EQ(content(), before);
 }
 

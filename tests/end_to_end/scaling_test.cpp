@@ -65,6 +65,13 @@ TEST_F(ScalingTest, BadVariationsAreRefused) {
   EXPECT_THAT(unknown.err, HasSubstr("did you mean core.count?"));
   const Finished range = artu({"scaling", "tiny.obj", "--vary", "core.count=1,65", "-o", "out"});
   EXPECT_EQ(range.code, 2);
+  EXPECT_THAT(range.err, HasSubstr("error: --vary: core.count = 65 is out of range"));
+  const auto bad = [this](const std::string& variation) {
+    return refused({"scaling", "tiny.obj", "--vary", variation, "-o", "out"});
+  };
+  EXPECT_THAT(bad("foo=1"), HasSubstr("error: --vary: unknown parameter foo"));
+  EXPECT_THAT(bad("core.count=4,1,4"), HasSubstr("--vary: core.count has the value 4 twice; once would be right"));
+  EXPECT_THAT(bad("memory.l2.size=64KiB,65536"), HasSubstr("memory.l2.size has the value 65536 twice"));
   EXPECT_THAT(content(), ::testing::ElementsAre("tiny.obj"));
 }
 

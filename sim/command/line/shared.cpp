@@ -65,9 +65,10 @@ void add_sample_size(CLI::App& command, SampleSize& size, const std::function<vo
       given(option);
     };
   };
-  auto* share =
-      command.add_option_function<std::string>("--sample-share", percent("--sample-share", &SampleSize::share),
-                                               "Of the frames that sampled simulates, at least");
+  auto* share = command.add_option_function<std::string>(
+      "--sample-share", percent("--sample-share", &SampleSize::share),
+      "Share of the different frames that sampled simulates, at least 4 of them, "
+      "instead of a target error");
   share->option_text("P%")->group("Simulation");
   command
       .add_option_function<std::string>(

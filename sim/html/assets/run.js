@@ -103,7 +103,7 @@ function memorySection(run) {
   const element = h("div", {}, h("h3", {}, "Caches"),
     h("p", { class: "soft" }, "A merged miss is on a line that is already on its way. The number is the share of hits."),
     legend([["hits", "var(--s2)"], ["merged misses", "var(--s4)"], ["misses", "var(--s1)"]]), stackChart("Hits and misses of each cache", rows),
-    h("details", {}, h("summary", {}, "As a table"), dataTable("Caches", [{ key: "name", label: "cache" }, { key: "count", label: "number", num: true }, { key: "size", label: "size in bytes", num: true }, { key: "requests", label: "requests", num: true }, { key: "rate", label: "hits", num: true, text: (r) => percent(r.rate) }, { key: "merged", label: "merged misses", num: true }, { key: "fills", label: "fills in lines", num: true }, { key: "backs", label: "write-backs in lines", num: true }], table).element));
+    h("details", {}, h("summary", {}, "As a table"), dataTable("Caches", [{ key: "name", label: "cache" }, { key: "count", label: "number", num: true }, { key: "size", label: "size in bytes (of a core's, or of all banks)", num: true }, { key: "requests", label: "requests", num: true }, { key: "rate", label: "hits", num: true, text: (r) => percent(r.rate) }, { key: "merged", label: "merged misses", num: true }, { key: "fills", label: "fills in lines", num: true }, { key: "backs", label: "write-backs in lines", num: true }], table).element));
   return section("memory", "Caches and DRAM", element, dram && dramPanel(run, dram));
 }
 function dramPanel(run, dram) {

@@ -33,11 +33,24 @@ TEST(Frames, AreAHalfOpenRangeOrOneFrameOrAll) {
 }
 
 TEST(Frames, WhatIsNoRangeIsRefused) {
-  for (const char* text : {"", ":", "1:", ":1", "a:b", "1:2:3", "-1:2", "1.5", " 1", "4294967296", "+1", "0x1"}) {
+  for (const char* text : {"", ":", "1:", ":1", "a:b", "1:2:3", "-1:2", "1.5", " 1", "+1", "0x1"}) {
     EXPECT_THAT(error_of([&] { parse_frames(text); }), HasSubstr("is not a range")) << text;
   }
-  for (const char* text : {"3:3", "4:3", "4294967295"}) {
+  for (const char* text : {"3:3", "4:3"}) {
     EXPECT_THAT(error_of([&] { parse_frames(text); }), HasSubstr("is empty")) << text;
+  }
+  for (const char* text : {"4294967295", "4294967296", "0:4294967296", "4294967295:4294967296"}) {
+    EXPECT_EQ(error_of([&] { parse_frames(text); }),
+              std::string("--frames: ") + text + " is out of range; frames of 0 ... 4294967294 would be right");
+  }
+  EXPECT_EQ(parse_frames("4294967294")->last, 4294967295u);
+  EXPECT_EQ(parse_frames("1:4294967295")->last, 4294967295u);
+}
+
+TEST(Pictures, NoneStandsAlone) {
+  EXPECT_EQ(error_of([] { parse_pictures("none"); }), "no error");
+  for (const char* text : {"none,frame", "frame,none", "none,none"}) {
+    EXPECT_THAT(error_of([&] { parse_pictures(text); }), HasSubstr("--pictures: none stands alone")) << text;
   }
 }
 
@@ -47,7 +60,7 @@ TEST(Size, IsWidthByHeight) {
   for (const char* text : {"", "x", "1x", "x1", "1", "1x1x1", "1*1", "-1x1"}) {
     EXPECT_THAT(error_of([&] { parse_size(text); }), HasSubstr("is not a size")) << text;
   }
-  for (const char* text : {"0x1", "1x0", "16385x1", "1x4000000000"}) {
+  for (const char* text : {"0x1", "1x0", "16385x1", "1x4000000000", "99999999999999999999x5"}) {
     EXPECT_THAT(error_of([&] { parse_size(text); }), HasSubstr("is out of range")) << text;
   }
 }

@@ -107,7 +107,8 @@ TEST_F(ConfigTest, UnknownKeyNamesItsLineAndTheNearestParameter) {
   EXPECT_EQ(load_error("# none\n[cores]\ncount = 2\n"),
             "FILE:3: unknown parameter cores.count; did you mean core.count?");
   EXPECT_EQ(load_error("clock_mhz = 2\n"), "FILE:1: unknown parameter clock_mhz; did you mean unit.clock_mhz?");
-  EXPECT_THAT(load_error("\n[empty]\n"), StartsWith("FILE:2: unknown parameter empty; did you mean "));
+  EXPECT_EQ(load_error("\n[empty]\n"),
+            "FILE:2: unknown parameter empty; one of those that artu run --list-params prints would be right");
 }
 
 TEST_F(ConfigTest, OfSeveralUnknownKeysTheFirstInTheFileIsNamed) {
@@ -129,6 +130,33 @@ TEST_F(ConfigTest, WrongTypesAreNamedWithWhatWouldBeRight) {
   EXPECT_EQ(load_error("selective.table = [1, 2]"),
             "FILE:1: selective.table is an array of 2; an array of 8 integers would be right");
   EXPECT_EQ(load_error("core = 7"), "FILE:1: core is a group of parameters, not 7; a [core] section would be right");
+}
+
+TEST_F(ConfigTest, ARealThatIsAnIntegersValueIsShownAsOne) {
+  EXPECT_EQ(load_error("core.count = 4.0"), "FILE:1: core.count = 4.0 is not an integer; 4 would be right");
+  EXPECT_EQ(load_error("core.count = 1e3"), "FILE:1: core.count = 1000.0 is not an integer; 1 ... 64 would be right");
+  EXPECT_EQ(load_error("core.count = inf"), "FILE:1: core.count = inf is not an integer; 1 ... 64 would be right");
+}
+
+TEST_F(ConfigTest, WhatIsTooLongForAnIntegerIsOutOfRange) {
+  EXPECT_EQ(set_error("core.count=99999999999999999999999"),
+            "--set: core.count = 99999999999999999999999 is out of range; 1 ... 64 would be right");
+  EXPECT_THAT(set_error("core.count=-99999999999999999999999"), HasSubstr("is out of range"));
+  for (const char* size : {"99999999999999GiB", "99999999999999999999999", "99999999999999999999999 KiB"}) {
+    EXPECT_THAT(set_error(std::string("memory.l2.size=") + size), HasSubstr("is out of range; 256 ... ")) << size;
+  }
+  Configuration configuration;
+  configuration.set("memory.l2.size=\"00000000000000000000064KiB\"");
+  EXPECT_EQ(configuration.unit().memory.l2.size, 65536u);
+}
+
+TEST_F(ConfigTest, WhatAnL2IsToldToHaveIsRight) {
+  EXPECT_THAT(load_error("[memory.l2]\nsize = 256\n"), HasSubstr("memory.l2.size = 256; 1 way would be right"));
+  EXPECT_EQ(load("[memory.l2]\nsize = 256\nways = 1\n").memory.l2.ways, 1u);
+  EXPECT_THAT(load_error("[memory]\nl2_banks = 16\n[memory.l2]\nsize = 256\n"),
+              HasSubstr("1 way and memory.l2_banks = 4 would be right"));
+  EXPECT_EQ(load("[memory]\nl2_banks = 4\n[memory.l2]\nsize = 256\nways = 1\n").memory.l2_banks, 4u);
+  EXPECT_THAT(load_error("[core.node_cache]\nsize = 256\nways = 8\n"), HasSubstr("at most 4 ways would be right"));
 }
 
 TEST_F(ConfigTest, ChoicesOfSelectiveRendering) {
@@ -199,7 +227,7 @@ TEST_F(ConfigTest, CrossChecksNameTheLineOfTheParameter) {
             hw::Count::merged);
   EXPECT_EQ(load_error("[memory.l2]\nsize = \"1KiB\"\nways = 32\n"),
             "FILE:3: memory.l2.ways = 32 needs 2048 bytes in lines of 64, more than memory.l2.size = 1024; "
-            "at most 16 ways would be right");
+            "at most 4 ways would be right");
 }
 
 TEST_F(ConfigTest, SetGivesTheSameErrorsWithItsOwnPlace) {
@@ -208,7 +236,13 @@ TEST_F(ConfigTest, SetGivesTheSameErrorsWithItsOwnPlace) {
   EXPECT_EQ(set_error("core.count=six"), "--set: core.count = \"six\" is not an integer; 1 ... 64 would be right");
   EXPECT_EQ(set_error("core.count="), "--set: core.count = \"\" is not an integer; 1 ... 64 would be right");
   EXPECT_THAT(set_error("core.count"), StartsWith("--set: \"core.count\" is not an assignment; path=value"));
-  EXPECT_THAT(set_error("core={count=3}"), StartsWith("--set: unknown parameter core; did you mean core."));
+  EXPECT_THAT(set_error("core={count=3}"),
+              StartsWith("--set: unknown parameter core, which is a group; a parameter of it, such as core."));
+  for (const char* none : {"energy.foo", "foo.x", "", "foo"}) {
+    EXPECT_EQ(set_error(std::string(none) + "=4"),
+              std::string("--set: unknown parameter ") + none +
+                  "; one of those that artu run --list-params prints would be right");
+  }
   EXPECT_THAT(set_error("selective.minimum=255\nselective.maximum=3"), HasSubstr("is not an assignment"));
   EXPECT_THAT(set_error("selective.magnitude=\\\""), HasSubstr("is not a choice"));
 }

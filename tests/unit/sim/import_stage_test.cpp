@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "sim/import/stage_toml.h"
 #include "unit/sim/import_fixture.h"
 
 namespace artu::sim::test {
@@ -177,6 +178,29 @@ TEST_F(Stage, WrongTypesAndValuesHaveALine) {
   EXPECT_THAT(error(one + "[sky]\nzenith = \"blue\"\n"), HasSubstr("a.stage.toml:4: "));
 }
 
+TEST_F(Stage, CamerasThatSeeNowhereHaveALine) {
+  EXPECT_THAT(error(one + "[camera]\nposition = [1, 2, 3]\ntarget = [1, 2, 3]\n"),
+              HasSubstr("a.stage.toml:5: [camera]: target is the position; another point would be right"));
+  EXPECT_THAT(error(one + "[camera]\nposition = [0, 0, 0]\n"),
+              HasSubstr("a.stage.toml:4: [camera]: position is the target, [0, 0, 0] unless it is given"));
+  EXPECT_THAT(error(one + "[camera]\nposition = [0, 0, 5]\nup = [0, 0, 0]\n"),
+              HasSubstr("a.stage.toml:5: [camera]: up is zero; a direction such as [0, 1, 0] would be right"));
+  EXPECT_THAT(error(one + "[camera]\nposition = [0, 0, 5]\nup = [0, 0, -2]\n"),
+              HasSubstr("a.stage.toml:5: [camera]: up is along the view from position to target; a direction "
+                        "across it, such as [0, 1, 0], would be right"));
+  EXPECT_THAT(error(one + "[camera]\nposition = [0, 5, 0]\nup = [0, 1, 0]\n"), HasSubstr("such as [0, 0, 1], would"));
+  // Straight down without an up: what is far away along -z is above.
+  EXPECT_THAT(stage(one + "[camera]\nposition = [0, 5, 0]\n").frame(0).camera.dv.z, ::testing::Gt(0));
+  EXPECT_THAT(error(one + "[camera]\n[[camera.key]]\ntime = 0\nposition = [0, 0, 5]\n[[camera.key]]\ntime = 1\n"
+                          "target = [0, 0, 5]\n"),
+              HasSubstr("a.stage.toml:9: [[key]]: target is the position"));
+}
+
+TEST_F(Stage, ADurationOfNothingIsRefused) {
+  EXPECT_THAT(error("duration = 0\n" + one),
+              HasSubstr("a.stage.toml:1: the stage: duration is 0; 1e-06 ... 1e+09 is allowed"));
+}
+
 TEST_F(Stage, NamesThatDoNotExistAreSuggested) {
   EXPECT_THAT(error(one + "clip = \"wlak\"\n"),
               HasSubstr("a.stage.toml:3: [[file]]: clip \"wlak\" is not a clip of this file, did you mean \"walk\"?"));
@@ -185,6 +209,26 @@ TEST_F(Stage, NamesThatDoNotExistAreSuggested) {
               HasSubstr("\"stil\" is not a node of this file, did you mean \"still\"?"));
   EXPECT_THAT(error(one + "[[file.node]]\nname = \"moved\"\n"), HasSubstr("did you mean \"mover\"?"));
   EXPECT_THAT(error(one + "[[file.material]]\nname = \"pain\"\n"), HasSubstr("did you mean \"paint\"?"));
+}
+
+TEST_F(Stage, WhatHasNoNamesIsCounted) {
+  EXPECT_THAT(suggest("walk", {}), EndsWith("; there are none"));
+  EXPECT_THAT(suggest("walk", {"", ""}), EndsWith("; it has 2, and none has a name"));
+  EXPECT_THAT(suggest("walk", {"", "jump"}), EndsWith("; there are: jump"));
+  EXPECT_THAT(suggest("foo", {"box"}), EndsWith("; there are: box"));
+  Gltf g;
+  g.triangle();
+  g.j["nodes"] = {{{"mesh", 0}}};
+  g.j["scenes"] = {{{"nodes", {0}}}};
+  const int times = g.scalars({0, 2}), values = g.vec3({0, 0, 0, 8, 0, 0});
+  for (int i = 0; i < 2; ++i) {
+    g.add("animations", {{"samplers", {{{"input", times}, {"output", values}}}},
+                         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}});
+  }
+  folder.write("unnamed.gltf", g.text());
+  EXPECT_THAT(error("[[file]]\npath = \"unnamed.gltf\"\nclip = \"walk\"\n"),
+              EndsWith("clip \"walk\" is not a clip of this file; it has 2, and none has a name; a number, 0 ... 1, "
+                       "would be right"));
 }
 
 TEST_F(Stage, KeysMustBeInOrder) {

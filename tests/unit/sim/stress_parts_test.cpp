@@ -83,6 +83,12 @@ TEST(StressCases, AreFoundByName) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("did you mean sphere/moved-1e5?"));
   }
+  try {
+    stress_cases("foo");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "--only: unknown case \"foo\"; one that artu stress --list prints would be right");
+  }
 }
 
 TEST(StressRays, AreOfAllKindsAndInTheirBox) {

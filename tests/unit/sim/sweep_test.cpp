@@ -237,6 +237,7 @@ TEST_F(GridTest, BadGridsAreRefusedWithTheirLine) {
   EXPECT_THAT(error(scene + "[sobol]\nsamples = 4\ncore.count = { low = 1, hihg = 4 }\n"),
               HasSubstr("did you mean high?"));
   EXPECT_THAT(error(scene + "frmes = \"0:1\"\n"), HasSubstr("grid.toml:2: unknown key frmes; did you mean frames?"));
+  EXPECT_THAT(error(scene + "foo = 1\n"), HasSubstr("grid.toml:2: unknown key foo; there are scenes, frames"));
   EXPECT_THAT(error(scene + "frames = \"x\"\n"), HasSubstr("grid.toml:2: --frames"));
   EXPECT_THAT(error(scene + "fidelity = \"guess\"\n"), HasSubstr("grid.toml:2: --fidelity"));
   EXPECT_THAT(error(scene + "set = [\"core.count=0\"]\n"), HasSubstr("grid.toml:2: core.count = 0 is out of range"));
