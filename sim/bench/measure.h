@@ -23,7 +23,7 @@ inline constexpr const char* golden_mode = "golden";
 struct BenchPlan {
   std::vector<std::string> modes;  // in the order of the tables
   std::uint32_t repeats = 5;       // rounds, timed
-  std::uint64_t seed = 1;          // of the order in which modes take turns, and of `sampled`
+  std::uint64_t seed = 1;          // of the order in which modes take turns
 };
 
 struct Interval {

@@ -51,12 +51,12 @@ std::string sha256_of_file(const std::string& file) {
 
 std::string sha256_of_files(const std::string& file, const std::set<std::string>& others) {
   namespace fs = std::filesystem;
+  const std::string own = sha256_of_file(file);  // first: it says so if the file is gone
   const fs::path itself = fs::canonical(file);
   std::map<std::string, std::string> names;
   for (const std::string& other : others) {
     if (other != itself) names[fs::path(other).lexically_relative(itself.parent_path()).string()] = other;
   }
-  const std::string own = sha256_of_file(file);
   if (names.empty()) return own;
   std::string list = fmt::format("{}  {}\n", own, itself.filename().string());
   for (const auto& [name, path] : names) list += fmt::format("{}  {}\n", sha256_of_file(path), name);
