@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <mutex>
@@ -31,9 +32,13 @@ Guarded& guarded() { return *instance(); }
 /// Nobody reads any more what is written: the kernel tells the thread that wrote, and the waiting one hears of it so.
 const int broken_pipe = SIGRTMIN;
 
-void on_broken_pipe(int) {
+void on_broken_pipe(int, siginfo_t* info, void*) {
+  const int error = errno;
   kill(getpid(), broken_pipe);
-  for (;;) pause();  // what the write returns is of no interest: the process ends
+  // A thread that wrote stops here: what its write returns is of no interest. One that another process's kill has
+  // stopped goes on, for it may hold a lock (malloc's, say) that the waiting thread needs.
+  while (info->si_pid == getpid()) pause();
+  errno = error;
 }
 
 /// A thread of its own may use the file system, which a signal handler must not.
@@ -72,9 +77,22 @@ void handle_interruptions() {
     if (!is_ignored(signal)) sigaddset(&signals, signal);  // nohup stays in force
   }
   sigaddset(&signals, broken_pipe);
-  if (!is_ignored(SIGPIPE)) std::signal(SIGPIPE, on_broken_pipe);
+  if (!is_ignored(SIGPIPE)) {
+    struct sigaction action {};
+    action.sa_sigaction = on_broken_pipe;
+    action.sa_flags = SA_SIGINFO | SA_RESTART;
+    sigaction(SIGPIPE, &action, nullptr);
+  }
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  // The waiting thread inherits that it never gets a broken pipe itself: while another forks, with all signals
+  // blocked, it would be the only one to give it to, and stop in the handler.
+  sigset_t pipe;
+  sigemptyset(&pipe);
+  sigaddset(&pipe, SIGPIPE);
+  sigset_t before;
+  pthread_sigmask(SIG_BLOCK, &pipe, &before);
   std::thread([signals] { wait_for(signals); }).detach();
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
 // The copy of the parent's mutex is locked, and nobody would unlock it.

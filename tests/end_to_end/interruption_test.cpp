@@ -83,10 +83,21 @@ TEST_F(InterruptionTest, SignalsRemoveWhatIsNotComplete) {
     for (const char* signal : {"PIPE", "HUP"}) {
       const Finished run =
           shell(std::string("$artu run tiny.obj --size 640x360 --frames 0:1000 -o out --jobs ") + jobs +
-                " & until test -e out.partial; do sleep 0.02; done; kill -" + signal + " $!; wait $!");
+                " & until test -e out.partial || ! kill -0 $!; do sleep 0.02; done; kill -" + signal + " $!; wait $!");
       EXPECT_GT(run.code, 128) << signal;
       EXPECT_THAT(content(), ElementsAre("tiny.obj")) << signal;
     }
+  }
+}
+
+/// A process that forks has all its signals blocked for a moment, but in the thread that waits for them.
+TEST_F(InterruptionTest, ABrokenPipeWhileProcessesStartStopsTheRun) {
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    const Finished run = shell(
+        "$artu run tiny.obj --size 64x36 --frames 0:1000 -o out --jobs 16 & "
+        "until test -e out.partial || ! kill -0 $!; do :; done; kill -PIPE $!; wait $!");
+    EXPECT_EQ(run.code, 128 + SIGPIPE);
+    EXPECT_THAT(content(), ElementsAre("tiny.obj"));
   }
 }
 
