@@ -26,8 +26,7 @@ struct Turn {
 /// A mode in its own process, where this object is used alone.
 class Mode {
  public:
-  Mode(const BenchFrame& frame, std::string name, std::uint64_t seed)
-      : frame_(frame), name_(std::move(name)), seed_(seed) {}
+  Mode(const BenchFrame& frame, std::string name) : frame_(frame), name_(std::move(name)) {}
 
   std::string run() {
     Turn turn;
@@ -50,7 +49,6 @@ class Mode {
     if (!simulator_) {
       SimulationOptions options;
       options.fidelity = parse_fidelity(name_);
-      options.seed = seed_;
       simulator_ = make_simulator(frame_.scene, frame_.unit, options, [this](std::uint32_t) { return frame_.frame; });
     }
     const FrameOutcome outcome = simulator_->run(frame_.frame);
@@ -70,7 +68,6 @@ class Mode {
 
   const BenchFrame& frame_;
   const std::string name_;
-  const std::uint64_t seed_;
   MemoryMeter memory_;
   std::unique_ptr<ref::Golden> golden_;
   std::unique_ptr<FrameSimulator> simulator_;
@@ -116,7 +113,7 @@ double ModeResult::spread() const {
 std::vector<ModeResult> measure(const BenchFrame& frame, const BenchPlan& plan, std::vector<std::string>& notes) {
   std::vector<Running> running;
   for (const std::string& name : plan.modes) {
-    Mode mode(frame, name, plan.seed);
+    Mode mode(frame, name);
     std::vector<int> others;
     for (const Running& other : running) others.push_back(other.worker->fd());
     bool begun = false;  // in the process

@@ -109,7 +109,9 @@ int parse_and_run(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
     refuse_unknown_command(app, argc, argv);
-    throw InputError("command line", one_line(error.what()) + "; artu --help shows what would be right");
+    // The first word is a command, or an option of none.
+    const std::string help = argc > 1 && argv[1][0] != '-' ? fmt::format("artu {} --help", argv[1]) : "artu --help";
+    throw InputError("command line", fmt::format("{}; {} shows what would be right", one_line(error.what()), help));
   }
   refuse_empty_values(app);
   return line.chosen();

@@ -15,7 +15,13 @@ namespace artu::sim {
 
 void require_file(const std::string& path) {
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) {
+  const bool exists = std::filesystem::exists(path, error);
+  if (error) {
+    throw InputError(path, fmt::format("cannot be read: {}; a scene (.glb, .gltf, .obj, .stage.toml) or a trace would "
+                                       "be right",
+                                       error.message()));
+  }
+  if (!exists) {
     throw InputError(path, "no such file; a scene (.glb, .gltf, .obj, .stage.toml) or a trace would be right");
   }
   if (std::filesystem::is_directory(path, error)) {

@@ -26,6 +26,7 @@ struct RunOptions {
   SimulationOptions simulation;
   SampleSize sample;         // of the frames, where the fidelity is `sampled`
   std::string sample_given;  // the option that has set it; "" = none given
+  bool seed_given = false;
   bool check = false;
   bool folder_by_default = true;                // without `output`: a folder in runs/, or none
   std::string output, pixel_csv, memory_trace;  // "" = none given

@@ -36,6 +36,12 @@ void refuse_input_as_output(const std::string& output, const std::string& input)
   if (is_same_place(output, input)) throw InputError(output, "is the input; another name would be right");
 }
 
+void refuse_within(const std::string& output, const std::string& folder, const std::string& right) {
+  if (!is_within(place_of(output), place_of(folder))) return;
+  throw InputError(output,
+                   fmt::format("is in {}, a run's own folder; {}, or another place, would be right", folder, right));
+}
+
 void check_output_places(const RunOptions& options) {
   std::vector<Written> files;
   if (!options.pixel_csv.empty()) files.push_back({"--dump-pixels", options.pixel_csv});

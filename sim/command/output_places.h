@@ -17,4 +17,7 @@ void check_output_places(const RunOptions& options);
 /// Throws InputError if `output` is the input.
 void refuse_input_as_output(const std::string& output, const std::string& input);
 
+/// Throws InputError if `output` is in `folder`, which may have a file of that name; `right` is what may be there.
+void refuse_within(const std::string& output, const std::string& folder, const std::string& right);
+
 }  // namespace artu::sim

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "sim/command/commands.h"
+#include "sim/command/output_places.h"
 #include "sim/html/page.h"
 #include "sim/html/report_data.h"
 #include "sim/report/file.h"
@@ -27,6 +28,9 @@ int report_command(const ReportOptions& options) {
   }
   const std::string file =
       options.output.empty() ? (fs::path(options.folders.front()) / "report.html").string() : options.output;
+  if (fs::path(file).extension() != ".html") {
+    for (const std::string& folder : options.folders) refuse_within(file, folder, "a page (.html) there");
+  }
   AtomicFile page(file, options.force);  // refuses what exists, before anything slow begins
   std::vector<std::string> notes;
   const auto data = report_data(options.folders, std::uint64_t{options.picture_megabytes} << 20, notes);

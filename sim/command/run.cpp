@@ -168,6 +168,12 @@ void check_sample(const RunOptions& options) {
   }
 }
 
+void check_seed(const RunOptions& options) {
+  const SimulationOptions& asked = options.simulation;
+  if (!options.seed_given || asked.random_stall || asked.shuffle_ticks || asked.fidelity == Fidelity::sampled) return;
+  throw InputError("--seed", "nothing is drawn; with --random-stall, --shuffle or --fidelity sampled would be right");
+}
+
 /// A trace is of one frame, and of a cycle at least.
 void check_trace(const TraceOptions& trace, const FrameRange& range) {
   if (trace.requests.empty()) return;
@@ -245,6 +251,7 @@ int run_command(const RunOptions& options) {
                                                fidelity_name(options.simulation.fidelity)));
   }
   check_sample(options);
+  check_seed(options);
   std::unique_ptr<RunReport> report;
   if (!options.dry_run) report = std::make_unique<RunReport>(options);
 

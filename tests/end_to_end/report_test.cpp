@@ -178,6 +178,8 @@ TEST_F(ReportTest, WhatNoRunMadeIsRefused) {
   EXPECT_THAT(refused({"report", "tiny.obj"}), HasSubstr("tiny.obj: is no folder"));
   EXPECT_THAT(refused({"report", "empty"}), HasSubstr("empty: is no folder of a run"));
   EXPECT_THAT(refused({"report", "out", "out/"}), HasSubstr("named twice"));
+  EXPECT_THAT(refused({"report", "out", "--force", "-o", "out/stats.json"}),
+              AllOf(HasSubstr("out/stats.json: is in out, a run's own folder"), HasSubstr("would be right")));
   EXPECT_THAT(refused({"report", "out", "-o", "none/x.html"}), HasSubstr("none/x.html"));
   EXPECT_THAT(content("empty"), ElementsAre());
   fine({"report", "out"});

@@ -1,6 +1,7 @@
 // Bad input: exit code 2, one line that names the place, nothing left behind.
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <fstream>
 #include <regex>
 
@@ -9,6 +10,7 @@
 namespace artu::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -68,7 +70,8 @@ TEST_F(UsageTest, BadCommandLinesAreRefused) {
   EXPECT_THAT(refused({"fly"}), HasSubstr("unknown command \"fly\""));
   EXPECT_THAT(refused({"run"}), HasSubstr("SCENE or TRACE is missing"));
   EXPECT_THAT(refused({"run", "a.obj", "b.obj"}), HasSubstr("b.obj"));
-  EXPECT_THAT(refused({"run", "--fast"}), HasSubstr("--fast"));
+  EXPECT_THAT(refused({"run", "--fast"}), AllOf(HasSubstr("--fast"), HasSubstr("; artu run --help shows")));
+  EXPECT_THAT(refused({"--fast"}), HasSubstr("; artu --help shows"));
   EXPECT_THAT(refused({"run", "--fidelity", "guess"}), HasSubstr("functional, analytic, sampled, event or clocked"));
   EXPECT_THAT(refused({"run", "--seed", "-1"}), HasSubstr("--seed"));
   EXPECT_THAT(refused({"run", "-c"}), HasSubstr("config"));
@@ -93,6 +96,23 @@ TEST_F(UsageTest, BadScenesAreRefused) {
     EXPECT_THAT(refused({"import", name, "-o", "out.trace"}), HasSubstr(name));
     EXPECT_EQ(content(), before) << name;
   }
+}
+
+TEST_F(UsageTest, ASceneThatCannotBeReachedIsNotCalledMissing) {
+  std::filesystem::create_symlink("loop.obj", path("loop.obj"));
+  EXPECT_THAT(refused({"run", "loop.obj"}),
+              AllOf(HasSubstr("loop.obj: cannot be read: "), HasSubstr("would be right")));
+}
+
+TEST_F(UsageTest, ASeedOfNothingIsRefused) {
+  write_scene("tiny.obj");
+  const auto before = content();
+  for (const std::string mode : {"functional", "analytic", "event", "clocked"}) {
+    EXPECT_THAT(refused({"run", "tiny.obj", "--size", "8x8", "--fidelity", mode, "--seed", "2", "-o", "out"}),
+                HasSubstr("--seed: nothing is drawn; with --random-stall"));
+  }
+  EXPECT_EQ(content(), before);
+  fine({"check", "tiny.obj", "--size", "8x8", "--seed", "2", "--random-stall"});
 }
 
 TEST_F(UsageTest, BadFramesAndSizesAreRefused) {

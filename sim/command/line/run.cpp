@@ -79,7 +79,11 @@ void declare(CLI::App& command, RunOptions& run) {
       ->group("Simulation");
   command
       .add_option_function<std::string>(
-          "--seed", [&run](const std::string& seed) { run.simulation.seed = parse_seed(seed); },
+          "--seed",
+          [&run](const std::string& seed) {
+            run.simulation.seed = parse_seed(seed);
+            run.seed_given = true;
+          },
           "Of the two above, and of the frames that sampled draws; default 1")
       ->option_text("N")
       ->group("Simulation");
