@@ -34,6 +34,7 @@
 // Construction of BVHs, 2012).  Figures that these are held against: docs/tree_builder.md.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "hw/memory/layout.h"
@@ -42,6 +43,10 @@ namespace artu::hw {
 
 enum class BuildStage : std::uint8_t { read, levels, subtrees, codes, sort, hierarchy, bounds, attributes };
 inline constexpr std::size_t build_stages = 8;
+/// The builder's counters of their cycles.
+inline constexpr std::array<const char*, build_stages> stage_counters{
+    "cycles_read", "cycles_levels",    "cycles_subtrees", "cycles_codes",
+    "cycles_sort", "cycles_hierarchy", "cycles_bounds",   "cycles_attributes"};
 
 /// Lines from `base` on, read or written.
 struct BuildStream {

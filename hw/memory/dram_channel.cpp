@@ -9,7 +9,8 @@ namespace {
 unsigned log2_of(std::uint64_t power) { return static_cast<unsigned>(__builtin_ctzll(power)); }
 
 Cycle bursts_of(const DramConfig& c) {
-  return (line_bytes * 8 + c.bus_bits * c.burst_length - 1) / (c.bus_bits * c.burst_length);
+  const std::uint32_t bits = c.bus_bits * c.burst_length;
+  return (line_bytes * 8 + bits - 1) / bits;
 }
 
 Cycle refresh_interval(const DramConfig& c) {
@@ -17,6 +18,10 @@ Cycle refresh_interval(const DramConfig& c) {
 }
 
 }  // namespace
+
+std::uint64_t bus_bytes_of_line(const DramConfig& config) {
+  return bursts_of(config) * config.burst_length * config.bus_bits / 8;
+}
 
 DramPlace place_of_line(const DramConfig& config, std::uint64_t line) {
   // All counts are powers of two.

@@ -24,6 +24,9 @@ struct DramPlace {
 };
 DramPlace place_of_line(const DramConfig& config, std::uint64_t line);
 
+/// What the data bus carries for a line: whole bursts.
+std::uint64_t bus_bytes_of_line(const DramConfig& config);
+
 class DramChannel {
  public:
   struct Counts {

@@ -81,20 +81,17 @@ void TreeBuilder::report(Statistics& out) const {
   out.push_back({path(), "triangles", triangles_, "", "triangles in them"});
   out.push_back({path(), "lines_read", lines_read_, "lines", "read from memory"});
   out.push_back({path(), "lines_written", lines_written_, "lines", "written to memory"});
-  struct Stage {
-    const char *name, *text;
-  };
-  static constexpr Stage stages[build_stages] = {
-      {"cycles_read", "stage: triangles are read for the first time"},
-      {"cycles_levels", "stage, sah: levels that do not fit on chip are split"},
-      {"cycles_subtrees", "stage, sah: the rest is split; nodes and triangles are written"},
-      {"cycles_codes", "stage, morton: codes are made"},
-      {"cycles_sort", "stage, morton: codes are sorted"},
-      {"cycles_hierarchy", "stage, morton: nodes are emitted"},
-      {"cycles_bounds", "stage, morton and refit: boxes are made; nodes and triangles are written"},
-      {"cycles_attributes", "stage: attributes are brought into the triangles' order"}};
+  static constexpr std::array<const char*, build_stages> texts{
+      "stage: triangles are read for the first time",
+      "stage, sah: levels that do not fit on chip are split",
+      "stage, sah: the rest is split; nodes and triangles are written",
+      "stage, morton: codes are made",
+      "stage, morton: codes are sorted",
+      "stage, morton: nodes are emitted",
+      "stage, morton and refit: boxes are made; nodes and triangles are written",
+      "stage: attributes are brought into the triangles' order"};
   for (std::size_t i = 0; i < build_stages; ++i) {
-    out.push_back({path(), stages[i].name, stage_cycles_[i], "cycles", stages[i].text});
+    out.push_back({path(), stage_counters[i], stage_cycles_[i], "cycles", texts[i]});
   }
 }
 

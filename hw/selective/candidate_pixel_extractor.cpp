@@ -135,7 +135,7 @@ void CandidatePixelExtractor::report(Statistics& out) const {
   out.push_back({path(), "spans", spans_, "", "rows of tiles whose lines were fetched"});
   if (finished_ != nullptr) {
     out.push_back(
-        {path(), "scoreboard_bytes", scoreboard_.bytes(), "bytes", "counters of finished pixels, one a tile"});
+        {path(), "max_scoreboard_bytes", scoreboard_.bytes(), "bytes", "counters of finished pixels, one a tile"});
   }
 }
 

@@ -45,7 +45,9 @@ BuildTime build_time(const hw::UnitConfig& config, const hw::FrameDescriptor& fr
                                 16;
     const double places = (static_cast<double>(lines) * hit + fills * dram_latency) / config.tree_builder.outstanding;
     const double traffic = std::max({static_cast<double>(lines), bus, places});
-    all.cycles += static_cast<std::uint64_t>(std::max(static_cast<double>(step.compute), traffic) + hit);
+    const auto cycles = static_cast<std::uint64_t>(std::max(static_cast<double>(step.compute), traffic) + hit);
+    all.cycles += cycles;
+    all.stages[static_cast<std::size_t>(step.stage)] += cycles;
     all.lines += lines;
     all.dram += static_cast<std::uint64_t>(dram);
   }

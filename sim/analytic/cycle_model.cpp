@@ -101,6 +101,11 @@ CycleEstimate estimate_cycles(const hw::UnitConfig& config, const FrameLoad& loa
     estimate.selective = time_of(rest, rest_tracing) + calibrated.apart_latencies * latency;
     estimate.tracing = first_tracing + rest_tracing;
   }
+  // Rays that need the tree wait for it, with their contexts: what else could begin is little.
+  if (config.tree_builder.overlap) {
+    estimate.first += estimate.build;
+    estimate.build = 0;
+  }
   estimate.bounds = bounds_of(config, all);
   // A line leaves in the time of its data, as long as nothing else is under way.
   estimate.flush = static_cast<double>(load.dirty_lines) * bus_cycles(config) * calibrated.bus + l2_latency(config);

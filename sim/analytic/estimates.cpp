@@ -49,8 +49,10 @@ hw::Statistics statistics_of(const hw::UnitConfig& config, const FrameLoad& load
   const std::uint64_t l2 = all(memory.l2_reads + memory.l2_writes);
   add("l2", "reads", all(memory.l2_reads), "", "read requests: estimated");
   add("l2", "writes", all(memory.l2_writes), "", "write requests: estimated");
-  add("l2", "hits", l2 - std::min(l2, all(memory.l2_fills)), "", "requests whose line was there: estimated");
-  add("l2", "misses", std::min(l2, all(memory.l2_fills)), "", "requests whose line was not there: estimated");
+  const std::uint64_t l2_misses = std::min(l2, all(memory.l2_fills + memory.l2_merged + memory.l2_unfetched));
+  add("l2", "hits", l2 - l2_misses, "", "requests whose line was there: estimated");
+  add("l2", "misses", l2_misses, "", "requests whose line was not there: estimated");
+  add("l2", "merged_misses", all(memory.l2_merged), "", "misses on a line that was already on its way: estimated");
   add("l2", "fills", all(memory.l2_fills), "lines", "lines fetched from DRAM: estimated");
   const std::uint64_t written = all(memory.l2_write_backs) + load.dirty_lines;
   add("dram", "read_bytes", all(memory.l2_fills) * 64, "bytes", "read from DRAM: estimated");
@@ -65,6 +67,9 @@ hw::Statistics statistics_of(const hw::UnitConfig& config, const FrameLoad& load
   add("control_unit", "cycles_first", whole(estimate.first), "cycles", "phase: sampling pixels: estimated");
   add("control_unit", "cycles_selective", whole(estimate.selective), "cycles", "phase: candidates: estimated");
   add("control_unit", "cycles_flush", whole(estimate.flush), "cycles", "phase: the write-back: estimated");
+  for (std::size_t i = 0; i < hw::build_stages; ++i) {
+    add("tree_builder", hw::stage_counters[i], load.build.stages[i], "cycles", "of a stage of the build: estimated");
+  }
   const double passes = estimate.first + estimate.selective;
   const double contexts = static_cast<double>(config.core.count) * config.core.contexts;
   add("core.ray_generator", "context_cycles", whole(contexts * std::min(estimate.tracing, passes)), "cycles",

@@ -6,7 +6,7 @@ namespace artu::sim {
 namespace {
 
 // While a line is on its way, further misses on it join the first: about the latency of a miss, in cycles.
-constexpr std::uint64_t l1_latency = 40;
+constexpr std::uint64_t l1_latency = 40, l2_latency = 30;
 
 }  // namespace
 
@@ -19,6 +19,8 @@ MemoryCounts& MemoryCounts::operator-=(const MemoryCounts& other) {
   l2_reads -= other.l2_reads;
   l2_writes -= other.l2_writes;
   l2_fills -= other.l2_fills;
+  l2_merged -= other.l2_merged;
+  l2_unfetched -= other.l2_unfetched;
   l2_write_backs -= other.l2_write_backs;
   row_misses -= other.row_misses;
   return *this;
@@ -43,24 +45,30 @@ void MemoryModel::read(Client client, std::uint32_t core, std::uint64_t line, st
     if (look.hit) return;
   }
   ++count.misses;
-  below(line, false, false, now);
+  // The builder asks in order, without time.
+  below(line, false, false, now, client == Client::builder ? 0 : l2_latency);
 }
 
 void MemoryModel::write(Client client, std::uint64_t line, bool whole, std::uint64_t now) {
   ++counts_.client[static_cast<std::size_t>(client)].requests;
   if (client != Client::builder) pixel_.drop(line);
-  below(line, true, whole, now);
+  below(line, true, whole, now, client == Client::builder ? 0 : l2_latency);
 }
 
-void MemoryModel::below(std::uint64_t line, bool write, bool whole, std::uint64_t now) {
+void MemoryModel::below(std::uint64_t line, bool write, bool whole, std::uint64_t now, std::uint64_t latency) {
   ++(write ? counts_.l2_writes : counts_.l2_reads);
-  const SampledCache::Look look = l2_.access(line, write, now, 0);
+  // A whole line is there as soon as it is written: it is filled at 0, long ago.
+  const SampledCache::Look look = l2_.access(line, write, whole ? 0 : now, latency);
+  counts_.l2_merged += look.merged && !whole;
   if (look.hit) return;
   if (look.evicted_dirty) {
     ++counts_.l2_write_backs;
     dram(l2_.evicted());
   }
-  if (whole) return;
+  if (whole) {
+    ++counts_.l2_unfetched;
+    return;
+  }
   ++counts_.l2_fills;
   dram(line);
 }

@@ -19,8 +19,9 @@ struct MemoryCounts {
     std::uint64_t requests = 0, misses = 0, merged = 0;  // of its L1; `misses` without `merged`: lines fetched
   };
   std::array<OfClient, clients> client;
-  std::uint64_t l2_reads = 0, l2_writes = 0, l2_fills = 0, l2_write_backs = 0;
-  std::uint64_t row_misses = 0;  // of the L2's fills and write-backs
+  std::uint64_t l2_reads = 0, l2_writes = 0, l2_fills = 0, l2_merged = 0, l2_write_backs = 0;
+  std::uint64_t l2_unfetched = 0;  // writes of whole lines that were not there
+  std::uint64_t row_misses = 0;    // of the L2's fills and write-backs
 
   MemoryCounts& operator-=(const MemoryCounts& other);
 };
@@ -39,7 +40,7 @@ class MemoryModel {
   std::uint64_t dirty_lines() const { return l2_.dirty_lines(); }
 
  private:
-  void below(std::uint64_t line, bool write, bool whole, std::uint64_t now);
+  void below(std::uint64_t line, bool write, bool whole, std::uint64_t now, std::uint64_t latency);
   void dram(std::uint64_t line);
 
   const hw::UnitConfig& config_;

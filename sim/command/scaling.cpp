@@ -70,7 +70,7 @@ int scaling_command(const ScalingOptions& options) {
     Progress progress(std::uint64_t{frames} * units.size(), "frames", options.quiet);
     const std::vector<Totals> sums = totals_by_unit(source, units, options.fidelity, options.jobs, progress);
     for (std::size_t i = 0; i < units.size(); ++i) {
-      rows.push_back(scaling_row(variation.values[i], sums[i], units[i], sums[0].cycles));
+      rows.push_back(scaling_row(variation.values[i], sums[i], units[i], microseconds(sums[0], units[0])));
     }
   }
   std::string title = heading(options.source.path, source);

@@ -6,6 +6,7 @@
 #include "hw/datapath/shading.h"
 #include "hw/datapath/triangle.h"
 #include "hw/fabric/memory_port.h"
+#include "hw/memory/dram_channel.h"
 #include "hw/selective/policy.h"
 #include "sim/energy/energy.h"
 #include "sim/energy/prices.h"
@@ -149,10 +150,11 @@ class Model {
     wires("interconnect", read + written, energy_.wires.chip_length);
 
     const hw::DramConfig& part = unit_.memory.dram;
+    const std::uint64_t bursts = hw::bus_bytes_of_line(part);
     const bool by_bank = part.refresh == hw::RefreshPolicy::per_bank;
     add("dram", "dram.activate", count("dram", "activates"), energy_.dram.activate);
-    add("dram", "dram.read", count("dram", "reads") * line, energy_.dram.read);
-    add("dram", "dram.write", count("dram", "writes") * line, energy_.dram.write);
+    add("dram", "dram.read", count("dram", "reads") * bursts, energy_.dram.read);
+    add("dram", "dram.write", count("dram", "writes") * bursts, energy_.dram.write);
     add("dram", "dram.refresh", count("dram", "refreshes"), energy_.dram.refresh / (by_bank ? part.banks : 1.0));
     add("dram", "dram.background", cycles_ * part.channels, cycle_price(energy_.dram.background, unit_.clock_mhz));
 

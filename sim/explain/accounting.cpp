@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/memory/build_plan.h"
 #include "hw/ray_core/pipelines.h"
 #include "sim/explain/needs.h"
 
@@ -43,7 +44,9 @@ void account_dram_times(const WorkCounts& work, const hw::UnitConfig& unit, Acco
                       (all_banks ? work.of("dram", "refreshes") * dram.t_rfc : 0);
   a.dram_lost = lost * ratio / dram.channels * a.passes() / a.cycles;
   a.dram_read_cycles = work.of("dram", "read_clocks") / reads * ratio;
-  a.dram_idle_cycles = (dram.t_cl + data + misses * (dram.t_rp + dram.t_rcd) + empty * dram.t_rcd) * ratio;
+  // Rows are counted of reads and writes together: where writes find others' rows, reads alone would not be slower.
+  a.dram_idle_cycles =
+      std::min((dram.t_cl + data + misses * (dram.t_rp + dram.t_rcd) + empty * dram.t_rcd) * ratio, a.dram_read_cycles);
   // In the queue from its arrival to its column command.
   const double queued = std::max(work.of("dram", "read_clocks") - reads * (dram.t_cl + data), 0.0);
   const double clocks = a.cycles / ratio;
@@ -82,9 +85,7 @@ void account_places(const WorkCounts& work, const hw::UnitConfig& unit, Accounti
 }
 
 void account_builder(const WorkCounts& work, const Totals& totals, const hw::UnitConfig& unit, Accounting& a) {
-  for (const char* stage : {"read", "levels", "subtrees", "codes", "sort", "hierarchy", "bounds", "attributes"}) {
-    a.builder += work.of("tree_builder", std::string("cycles_") + stage);
-  }
+  for (const char* stage : hw::stage_counters) a.builder += work.of("tree_builder", stage);
   a.builder_triangles = work.of("tree_builder", "triangles");
   a.tree_waits = work.of("core.traversal", "tree_waits");
   a.builder_overlaps = unit.tree_builder.overlap;

@@ -191,6 +191,21 @@ std::vector<Finding> in_passes(const Accounting& a, const hw::UnitConfig& unit) 
   return found;
 }
 
+/// Beside the passes the builder is one of their resources; and rays that wait for its tree keep contexts from others,
+/// so that it binds earlier than one that nobody waits for.
+bool builder_binds(const Accounting& a, const hw::UnitConfig& unit) {
+  if (!a.builder_overlaps) return false;
+  const double contexts = static_cast<double>(unit.core.count) * unit.core.contexts;
+  return a.builder >= full * a.cycles || (a.builder >= 0.5 * a.cycles && a.tree_waits >= contexts);
+}
+
+Finding beside_passes(const Accounting& a) {
+  std::string evidence = fmt::format("the builder is busy in {} of the cycles, beside the passes",
+                                     percent(std::min(a.builder / a.cycles, 1.0)));
+  if (a.tree_waits > 0) evidence += fmt::format("; {:.0f} rays wait for its tree with their contexts", a.tree_waits);
+  return {Bound::tree_build, a.builder, std::move(evidence), {}, false, {}};
+}
+
 Finding phase(const Accounting& a, Bound bound, double cycles, const char* what) {
   return {bound,
           cycles,
@@ -204,16 +219,10 @@ Finding phase(const Accounting& a, Bound bound, double cycles, const char* what)
 
 std::vector<Finding> findings(const Accounting& a, const hw::UnitConfig& unit) {
   std::vector<Finding> found = in_passes(a, unit);
-  const double contexts = static_cast<double>(unit.core.count) * unit.core.contexts;
-  const bool overlapped = a.builder_overlaps && a.builder >= 0.5 * a.cycles && a.tree_waits >= contexts;
+  const bool overlapped = builder_binds(a, unit);
   if (overlapped) {
-    found = {{Bound::tree_build,
-              a.builder,
-              fmt::format("the builder is busy in {} of the cycles, and rays with their contexts wait for its tree",
-                          percent(std::min(a.builder / a.cycles, 1.0))),
-              {},
-              false,
-              {}}};
+    if (busy_resources(a).empty()) found.clear();  // the others only seem to be short of work
+    found.push_back(beside_passes(a));
   }
   std::vector<Finding> phases = {phase(a, Bound::tree_build, overlapped ? 0 : a.build, "the tree's build"),
                                  phase(a, Bound::write_back, a.flush, "the write-back"),

@@ -169,8 +169,9 @@ double Steps::morton_computes() const {
 void Steps::build() {
   const double traffic = a_.builder - a_.builder_computes;
   const hw::TreeBuilderConfig& builder = unit_.tree_builder;
-  const auto saves = [](Step& step, double cycles, double step_share) {
-    step.at_most = 1;
+  const auto saves = [&builder](Step& step, double cycles, double step_share) {
+    // With overlap the passes' cycles hold the wait for the tree, so that only what is asked of them bounds them.
+    step.at_most = builder.overlap ? 0 : 1;
     step.build_saved = cycles * step_share;
     step.build_saved_far = cycles;
   };
@@ -192,8 +193,8 @@ void Steps::build() {
     saves(turn("tree_builder.cycles_per_record", 0.5), a_.builder_computes, 0.5);
   }
   if (!builder.overlap) {
-    // What goes on beside the passes costs nothing, at most.
-    saves(choose("tree_builder.overlap", "true"), a_.build, 1);
+    // What goes on beside the passes costs nothing, at most; but they do not end before it does.
+    saves(choose("tree_builder.overlap", "true"), std::min(a_.build, a_.passes()), 1);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/memory/build_plan.h"
 #include "sim/report/counters.h"
 
 namespace artu::sim {
@@ -15,19 +16,29 @@ std::vector<Demand> demands(const Totals& totals, const hw::UnitConfig& unit) {
   const auto count = [&](const char* block, const char* name) { return static_cast<double>(counters.of(block, name)); };
   const auto cycles = static_cast<double>(totals.cycles);
   const double of_cores = cycles * unit.core.count;
-  const auto cache = [&](const char* name) { return count(name, "reads") + count(name, "writes"); };
-  const double nodes = std::max(count("core.traversal", "node_visits") * unit.core.node_interval,
+  // A miss takes the port when it comes and when it is answered.
+  const auto cache = [&](const char* name) { return count(name, "reads") + count(name, "misses"); };
+  const double l2 = count("l2", "reads") + count("l2", "writes") + count("l2", "fills") + count("l2", "merged_misses");
+  double rays = 0;  // each begins with the box of the scene
+  for (const char* kind : {"primary_rays", "shadow_rays", "reflection_rays", "refraction_rays"}) {
+    rays += count("core.ray_generator", kind);
+  }
+  const double nodes = std::max((count("core.traversal", "node_visits") + rays) * unit.core.node_interval,
                                 count("core.traversal", "box_tests") / unit.core.box_testers);
   const double dram_clocks = cycles * unit.memory.dram.clock_mhz / unit.clock_mhz;
-  const double serial = count("control_unit", "cycles_start") + count("control_unit", "cycles_build") +
-                        count("control_unit", "cycles_flush");
+  // With overlap the build is no phase of its own, but no frame ends before it.
+  double build = count("control_unit", "cycles_build");
+  if (unit.tree_builder.overlap) {
+    for (const char* stage : hw::stage_counters) build += count("tree_builder", stage);
+  }
+  const double serial = count("control_unit", "cycles_start") + build + count("control_unit", "cycles_flush");
   return {
       {"box testers", nodes / of_cores},
       {"triangle testers", count("core.intersection", "triangle_tests") * unit.core.triangle_interval / of_cores},
       {"node caches", cache("core.node_cache") / of_cores},
       {"triangle caches", cache("core.triangle_cache") / of_cores},
       {"texture caches", cache("core.texture_cache") / of_cores},
-      {"L2", cache("l2") / (cycles * unit.memory.l2_banks)},
+      {"L2", l2 / (cycles * unit.memory.l2_banks)},
       {"DRAM buses", count("dram", "bus_clocks") / (dram_clocks * unit.memory.dram.channels)},
       {"candidate extractor", count("candidate_pixel_extractor", "candidates") / cycles},
       {"build, start and write-back", serial / cycles},

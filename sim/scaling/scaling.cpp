@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/report/csv.h"
 #include "traces/error.h"
 
 namespace artu::sim {
@@ -26,14 +27,18 @@ Variation parse_variation(const std::string& text) {
   return variation;
 }
 
+double microseconds(const Totals& totals, const hw::UnitConfig& unit) {
+  return static_cast<double>(totals.cycles) / unit.clock_mhz;
+}
+
 ScalingRow scaling_row(const std::string& value, const Totals& totals, const hw::UnitConfig& unit,
-                       std::uint64_t first_cycles) {
+                       double first_microseconds) {
   ScalingRow row;
   row.value = value;
   row.cycles = totals.cycles;
   row.rays = totals.rays();
   row.dram_bytes = totals.dram_read_bytes + totals.dram_write_bytes;
-  row.speedup = static_cast<double>(first_cycles) / static_cast<double>(totals.cycles);
+  row.speedup = first_microseconds / microseconds(totals, unit);
   row.mrays_per_second = static_cast<double>(totals.rays()) * unit.clock_mhz / static_cast<double>(totals.cycles);
   row.contexts = contexts_filled(totals, unit);
   row.demands = demands(totals, unit);
@@ -70,7 +75,7 @@ std::string scaling_csv(const Variation& variation, const std::vector<ScalingRow
     out += fmt::format("{},{},{},{},{},{},{}", row.value, row.cycles, row.speedup, row.rays, row.mrays_per_second,
                        row.dram_bytes, row.contexts);
     for (const Demand& demand : row.demands) out += fmt::format(",{}", demand.share);
-    out += "," + row.limit + "\n";
+    out += "," + csv_field(row.limit) + "\n";
   }
   return out;
 }

@@ -21,15 +21,19 @@ Variation parse_variation(const std::string& text);
 struct ScalingRow {
   std::string value;
   std::uint64_t cycles = 0, rays = 0, dram_bytes = 0;  // of all frames
-  double speedup = 1;                                  // against the first value
+  double speedup = 1;                                  // against the first value, in time
   double mrays_per_second = 0;
   double contexts = 0;  // contexts_filled
   std::vector<Demand> demands;
   std::string limit;
 };
 
+/// How long the unit takes, of all frames.
+double microseconds(const Totals& totals, const hw::UnitConfig& unit);
+
+/// `first_microseconds` are those of the first value.
 ScalingRow scaling_row(const std::string& value, const Totals& totals, const hw::UnitConfig& unit,
-                       std::uint64_t first_cycles);
+                       double first_microseconds);
 
 /// Columns: value, cycles a frame, speed-up, Mrays/s, DRAM GB/s ..., the largest demands, what limits.
 std::string format_scaling(const Variation& variation, const std::vector<ScalingRow>& rows, std::uint32_t frames);

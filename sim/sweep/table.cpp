@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "sim/report/csv.h"
 #include "sim/report/durable.h"
 #include "sim/report/file.h"
 #include "sim/sweep/database.h"
@@ -25,11 +26,7 @@ Json parse(const std::string& file) {
 
 std::string cell_text(const Json& cell) {
   if (cell.is_null()) return "";
-  std::string text = cell.is_string() ? cell.get<std::string>() : cell.dump();
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
+  return csv_field(cell.is_string() ? cell.get<std::string>() : cell.dump());
 }
 
 /// Tables are text: "[1, 2]".

@@ -30,6 +30,19 @@ class EnergyTest : public ProgramTest {
   }
 };
 
+/// A burst that is longer than a line is paid for as a whole.
+TEST_F(EnergyTest, TheDramIsPaidByTheByteOnItsBus) {
+  const auto dram = [&](const std::string& folder, const std::string& bits) {
+    const json stats = run(folder, {"--set", "memory.dram.burst_length=16", "--set", "memory.dram.bus_bits=" + bits});
+    const json& counters = stats.at("totals").at("blocks").at("dram");
+    const double lines = counters.at("reads").get<double>();
+    return stats.at("energy").at("events").at("dram.read").get<double>() / lines;
+  };
+  const double narrow = dram("narrow", "16"), line = dram("line", "32"), wide = dram("wide", "128");
+  EXPECT_NEAR(narrow, line, 1e-9 * line);
+  EXPECT_NEAR(wide, 4 * line, 1e-9 * wide);
+}
+
 TEST_F(EnergyTest, EveryFrameAndTheRunHaveASection) {
   const json stats = run("out");
   const json& all = stats.at("energy");

@@ -11,6 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
 
@@ -48,6 +49,34 @@ TEST_F(ExplainTest, WhatIsAdvisedIsSimulated) {
   EXPECT_LT(advice.at("measured"), json.at("cycles"));
   EXPECT_GE(advice.at("measured"), advice.at("floor"));
   EXPECT_THAT(fine({"explain", "a", "--verify"}).out, HasSubstr("\nmeasured    core.contexts = 4: "));
+}
+
+/// Beside the passes the builder can bind them as well.
+TEST_F(ExplainTest, ABuildBesideThePassesIsNamedAndRelieved) {
+  const std::string scene = ARTU_SOURCE_DIR "/scripts/scenes/adversarial.gltf";
+  const std::vector<std::string> slow{"--frames", "10", "--size", "32x18", "--set", "tree_builder.cycles_per_bin=64"};
+  const auto of = [&](const std::string& command, const std::vector<std::string>& more) {
+    std::vector<std::string> args{command, scene};
+    args.insert(args.end(), slow.begin(), slow.end());
+    args.insert(args.end(), more.begin(), more.end());
+    return fine(args).out;
+  };
+  const std::vector<std::string> overlap{"--set", "tree_builder.overlap=true"};
+  const Json json = Json::parse(of("explain", {overlap[0], overlap[1], "--verify", "--json"}));
+  EXPECT_EQ(json.at("bottlenecks").at(0).at("name"), "tree build");
+  const Json& advice = json.at("advice").at(0);
+  EXPECT_EQ(advice.at("parameter"), "tree_builder.cycles_per_bin");
+  EXPECT_LT(advice.at("measured"), 0.7 * json.at("cycles").get<double>());
+  EXPECT_GE(advice.at("measured"), advice.at("floor"));
+  // Nor is overlap advised where the build is nearly all there is.
+  EXPECT_THAT(of("explain", {}), Not(HasSubstr("tree_builder.overlap")));
+  // A run says the same, in both modes that have cycles.
+  for (const std::string mode : {"event", "analytic"}) {
+    of("run", {overlap[0], overlap[1], "--fidelity", mode, "-o", mode});
+    const Json stats = Json::parse(read(mode + "/stats.json"));
+    EXPECT_EQ(stats.at("demand").at("bottleneck"), "build, start and write-back") << mode;
+    EXPECT_EQ(stats.at("totals").at("blocks").at("control_unit").at("cycles_build"), 0) << mode;
+  }
 }
 
 TEST_F(ExplainTest, BadInputIsRefused) {

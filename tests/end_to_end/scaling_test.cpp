@@ -32,6 +32,23 @@ TEST_F(ScalingTest, EveryValueHasTheCyclesOfARunOfItsOwn) {
   EXPECT_DOUBLE_EQ(std::stod(rows[2][2]), std::stod(rows[1][1]) / std::stod(rows[2][1]));
 }
 
+/// A faster clock needs more cycles for the same memory, and yet less time.
+TEST_F(ScalingTest, ASpeedUpIsOfTime) {
+  fine({"scaling", "tiny.obj", "--size", "32x24", "--vary", "unit.clock_mhz=250,1000", "-o", "out"});
+  const auto rows = csv("out/scaling.csv");
+  EXPECT_GT(std::stod(rows[2][1]), std::stod(rows[1][1]));
+  EXPECT_DOUBLE_EQ(std::stod(rows[2][2]), 4 * std::stod(rows[1][1]) / std::stod(rows[2][1]));
+  EXPECT_GT(std::stod(rows[2][2]), 1);
+}
+
+/// A name with a comma, as a spreadsheet reads it.
+TEST_F(ScalingTest, ALimitOfSeveralWordsIsOneField) {
+  const std::string scene = ARTU_SOURCE_DIR "/scripts/scenes/adversarial.gltf";
+  fine({"scaling", scene, "--frames", "10", "--size", "8x8", "--set", "tree_builder.cycles_per_bin=64", "--vary",
+        "core.count=1,2", "-o", "out"});
+  EXPECT_THAT(read("out/scaling.csv"), HasSubstr(",\"build, start and write-back\"\n"));
+}
+
 TEST_F(ScalingTest, NoDemandIsMoreThanThereIs) {
   fine({"scaling", "tiny.obj", "--size", "32x24", "--vary", "core.box_testers=1,2,8", "-o", "out"});
   const auto rows = csv("out/scaling.csv");
