@@ -1,6 +1,7 @@
 #include "traces/file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -19,10 +20,33 @@ Descriptor::~Descriptor() {
 
 int Descriptor::release() { return std::exchange(fd_, -1); }
 
-OutputFile::OutputFile(const std::string& path)
-    : path_(path),
-      partial_(path + ".partial"),
-      fd_(::open(partial_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+namespace {
+
+bool is_the_file(int fd, const std::string& path) {
+  struct stat ours {};
+  struct stat there {};
+  return ::fstat(fd, &ours) == 0 && ::stat(path.c_str(), &there) == 0 && ours.st_dev == there.st_dev &&
+         ours.st_ino == there.st_ino;
+}
+
+}  // namespace
+
+int open_locked(const std::string& path) {
+  for (;;) {
+    Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
+    if (file.get() < 0) return -1;
+    // Any other error is that of a file system without locks.
+    if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      throw InputError(path, "another process writes it; another name would be right, or to wait until it has ended");
+    }
+    if (!is_the_file(file.get(), path)) continue;  // the other one has finished between our two steps
+    // A device has no length.
+    if (::ftruncate(file.get(), 0) != 0 && errno != EINVAL) return -1;
+    return file.release();
+  }
+}
+
+OutputFile::OutputFile(const std::string& path) : path_(path), partial_(path + ".partial"), fd_(open_locked(partial_)) {
   if (fd_.get() < 0) throw InputError(partial_, std::string("cannot create the file: ") + std::strerror(errno));
 }
 
@@ -50,9 +74,11 @@ void OutputFile::write(const void* data, std::size_t size) {
 void OutputFile::commit() {
   // The data is on the disk before the name is: a power cut leaves the old file or the new one.
   if (::fsync(fd_.get()) != 0 && errno != EINVAL && errno != EROFS) fail("write the file", errno);
-  if (::close(fd_.release()) != 0) fail("write the file", errno);
+  // Before it is closed: closing unlocks it, and somebody else would find a file that nobody writes.
   if (std::rename(partial_.c_str(), path_.c_str()) != 0) fail("rename the file to " + path_, errno);
   committed_ = true;
+  if (::close(fd_.release()) != 0)
+    throw InputError(path_, std::string("cannot write the file: ") + std::strerror(errno));
 }
 
 // Not blocking, or a named pipe would wait for a writer before it can be refused.

@@ -21,6 +21,11 @@ class Descriptor {
   int fd_;
 };
 
+/// Opens a file for writing, empty, and locks it until it is closed: a second process would write between our lines.
+/// A file that nobody writes is what a killed process has left, and is taken.  Throws InputError while another process
+/// writes it; -1, with errno, if it cannot be opened.
+int open_locked(const std::string& path);
+
 /// Writes PATH.partial, which becomes PATH at commit() and vanishes without it.
 class OutputFile {
  public:

@@ -5,11 +5,17 @@
 #include <filesystem>
 
 #include "traces/error.h"
+#include "traces/file.h"
 
 namespace artu::sim {
 namespace fs = std::filesystem;
 
 OutputFile::OutputFile(const std::string& name) : name_(name), file_(std::fopen(name.c_str(), "wb")) {
+  if (!file_) fail();
+}
+
+OutputFile::OutputFile(const std::string& name, int descriptor) : name_(name) {
+  if (descriptor >= 0) file_.reset(fdopen(descriptor, "wb"));
   if (!file_) fail();
 }
 
@@ -20,6 +26,10 @@ void OutputFile::fail() const {
 
 void OutputFile::write(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) fail();
+}
+
+void OutputFile::flush() {
+  if (std::fflush(file_.get()) != 0) fail();
 }
 
 void OutputFile::close() {
@@ -36,7 +46,7 @@ void refuse_existing(const std::string& name, bool force) {
 
 AtomicFile::AtomicFile(const std::string& name, bool force) : name_(name), guard_(name + ".partial") {
   refuse_existing(name, force);
-  file_ = std::make_unique<OutputFile>(name + ".partial");
+  file_ = std::make_unique<OutputFile>(name + ".partial", traces::open_locked(name + ".partial"));
 }
 
 AtomicFile::~AtomicFile() {
@@ -46,11 +56,12 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::close() {
-  file_->close();
+  file_->flush();
   std::error_code error;
-  fs::rename(file_->name(), name_, error);
+  fs::rename(file_->name(), name_, error);  // while it is locked
   if (error) throw InputError(name_, "cannot write: " + error.message());
-  file_.reset();
+  const std::unique_ptr<OutputFile> file = std::move(file_);
+  file->close();
 }
 
 void write_file(const std::string& name, std::string_view text) {

@@ -14,8 +14,11 @@ namespace artu::sim {
 class OutputFile {
  public:
   explicit OutputFile(const std::string& name);
+  /// The file is open already; below 0: errno says why it is not.
+  OutputFile(const std::string& name, int descriptor);
   void write(std::string_view text);
-  void close();  // a file that was not closed may lack its end
+  void flush();
+  void close();  // a file that was neither flushed nor closed may lack its end
   const std::string& name() const { return name_; }
 
  private:
@@ -31,7 +34,7 @@ class OutputFile {
 /// Writes NAME.partial and renames it at close(); without close() nothing is left.
 class AtomicFile {
  public:
-  /// Refuses a file that exists, unless `force`.
+  /// Refuses a file that exists, unless `force`, and one that another process writes.
   AtomicFile(const std::string& name, bool force);
   ~AtomicFile();
   void write(std::string_view text) { file_->write(text); }

@@ -16,6 +16,7 @@
 #include <system_error>
 
 #include "sim/report/file.h"
+#include "sim/report/interruption.h"
 #include "traces/error.h"
 
 extern char** environ;
@@ -40,14 +41,18 @@ std::string run_gnuplot(const std::string& folder, const std::string& script) {
   char program[] = "gnuplot";
   std::string argument = script;
   char* const words[] = {program, argument.data(), nullptr};
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, program, &files, &attributes, words, environ);
+  int error = 0;
+  const KillOnInterrupt child([&] {
+    pid_t pid = -1;
+    error = posix_spawnp(&pid, program, &files, &attributes, words, environ);
+    return error == 0 ? pid : -1;
+  });
   posix_spawn_file_actions_destroy(&files);
   posix_spawnattr_destroy(&attributes);
   if (error == ENOENT) return "gnuplot is not installed";
   if (error != 0) return fmt::format("gnuplot does not start: {}", std::strerror(error));
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  while (waitpid(child.pid(), &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
   return "gnuplot failed";

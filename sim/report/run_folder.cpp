@@ -1,8 +1,10 @@
 #include "sim/report/run_folder.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <cctype>
+#include <cstdio>
 #include <filesystem>
 
 #include "traces/error.h"
@@ -27,8 +29,28 @@ std::string scene_name(const std::string& scene_file) {
   return name;
 }
 
+/// Both at once, so that there is a whole folder under the name at any moment; false where the file system cannot.
+bool exchange(const std::string& a, const std::string& b) {
+  return renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
+}
+
 [[noreturn]] void fail(const std::string& name, const std::error_code& error) {
   throw InputError(name, "cannot write: " + error.message() + "; another folder with -o would be right");
+}
+
+[[noreturn]] void refuse_other_run(const std::string& partial) {
+  throw InputError(partial, "another run writes it; another folder would be right, or to wait until it has ended");
+}
+
+/// Returns its new name.
+std::string put_aside(const std::string& folder) {
+  const std::string aside = folder + ".replaced";
+  std::error_code error;
+  if (is_run_folder(aside)) fs::remove_all(aside, error);  // a run that was killed has left it
+  fs::rename(folder, aside, error);
+  if (error)
+    throw InputError(aside, "is in the way of --force: " + error.message() + "; another name of it would be right");
+  return aside;
 }
 
 }  // namespace
@@ -48,7 +70,7 @@ RunFolder::RunFolder(const std::string& name, bool force) : RunFolder() {
     }
   }
   create_parent();
-  if (force) fs::remove_all(partial(), error);
+  if (force) remove_left_over();
   if (!create_partial()) {
     throw InputError(partial(), "exists: another run writes it, or one was killed; --force would replace it");
   }
@@ -70,6 +92,7 @@ RunFolder::RunFolder(RunFolder&& other) noexcept
       force_(other.force_),
       open_(other.open_),
       guard_(std::move(other.guard_)),
+      lock_(std::move(other.lock_)),
       created_(std::move(other.created_)) {
   other.open_ = false;
   other.created_.clear();
@@ -91,25 +114,47 @@ void RunFolder::create_parent() {
   }
 }
 
+/// Of a run that was killed; not of one that is still at work.
+void RunFolder::remove_left_over() const {
+  std::error_code error;
+  if (!fs::is_directory(partial(), error)) return;
+  const FolderLock lock(partial());
+  if (!lock.held()) refuse_other_run(partial());
+  fs::remove_all(partial(), error);
+}
+
 bool RunFolder::create_partial() {
   std::error_code error;
-  open_ = fs::create_directory(partial(), error);
+  const bool made = fs::create_directory(partial(), error);
   if (error) fail(partial(), error);
-  if (open_) guard_ = std::make_unique<RemoveOnInterrupt>(partial());
-  return open_;
+  if (!made) return false;
+  guard_ = std::make_unique<RemoveOnInterrupt>(partial());
+  lock_ = std::make_unique<FolderLock>(partial());
+  if (!lock_->held()) {  // one with --force has come between
+    guard_.reset();
+    refuse_other_run(partial());
+  }
+  return open_ = true;
 }
 
 void RunFolder::commit() {
   std::error_code error;
-  const std::string old = name_ + ".replaced";
   const bool replace = force_ && fs::exists(name_, error);
-  if (replace) fs::rename(name_, old, error);
-  if (!error) fs::rename(partial(), name_, error);
-  if (error) fail(name_, error);
+  std::string old;
+  std::unique_ptr<FolderLock> old_lock;  // or another --force would take it for what a killed run has left
+  if (replace) old_lock = std::make_unique<FolderLock>(name_);
+  if (replace && exchange(partial(), name_)) {
+    old = partial();  // still guarded
+  } else {
+    if (replace) old = put_aside(name_);
+    fs::rename(partial(), name_, error);
+    if (error) fail(name_, error);
+  }
   open_ = false;
   created_.clear();
-  guard_.reset();
   if (replace) fs::remove_all(old, error);
+  guard_.reset();
+  lock_.reset();
 }
 
 }  // namespace artu::sim

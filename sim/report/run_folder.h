@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/report/folder_lock.h"
 #include "sim/report/interruption.h"
 
 namespace artu::sim {
@@ -28,12 +29,14 @@ class RunFolder {
  private:
   RunFolder() = default;
   void create_parent();
+  void remove_left_over() const;
   bool create_partial();  // false: exists
 
   std::string name_;
   bool force_ = false;
   bool open_ = false;
   std::unique_ptr<RemoveOnInterrupt> guard_;
+  std::unique_ptr<FolderLock> lock_;
   std::vector<std::string> created_;  // parents that we made, outermost first
 };
 

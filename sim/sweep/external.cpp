@@ -12,6 +12,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "sim/report/interruption.h"
+
 extern char** environ;
 
 namespace artu::sim {
@@ -70,8 +72,12 @@ ProgramOutput run_program(const std::vector<std::string>& words) {
   std::vector<char*> argv;
   for (std::string& word : copies) argv.push_back(word.data());
   argv.push_back(nullptr);
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, argv[0], &files, &attributes, argv.data(), environ);
+  int error = 0;
+  const KillOnInterrupt child([&] {
+    pid_t pid = -1;
+    error = posix_spawnp(&pid, argv[0], &files, &attributes, argv.data(), environ);
+    return error == 0 ? pid : -1;
+  });
   posix_spawn_file_actions_destroy(&files);
   posix_spawnattr_destroy(&attributes);
   ProgramOutput result;
@@ -83,7 +89,7 @@ ProgramOutput run_program(const std::vector<std::string>& words) {
   err.close_end(1);
   read_both(out, result.out, err, result.err);
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  while (waitpid(child.pid(), &status, 0) < 0 && errno == EINTR) {
   }
   result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   result.err = result.err.substr(0, result.err.find('\n'));

@@ -1,8 +1,6 @@
 #include "sim/sweep/sweep_folder.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <array>
@@ -12,6 +10,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <vector>
 
 #include "sim/report/durable.h"
 #include "sim/report/file.h"
@@ -80,6 +79,9 @@ SweepFolder::SweepFolder(const std::string& name, const std::string& description
   make_folder(name_);
   if (begin != Begin::take_part) lock();
   if (begin == Begin::replace) {
+    if (others_work()) {
+      throw InputError(name_, "another artu sweep --part works on it; when that has ended, --force would be right");
+    }
     for (const auto& entry : fs::directory_iterator(name_)) fs::remove_all(entry.path(), error);
   }
   if (fs::exists(file(description_file), error)) {
@@ -91,6 +93,7 @@ SweepFolder::SweepFolder(const std::string& name, const std::string& description
   work_ = file("points.partial/" + own_name());
   if (begin != Begin::take_part && begin != Begin::share) remove_unfinished();
   make_folder(work_);
+  work_lock_ = std::make_unique<FolderLock>(work_);
   guard_ = std::make_unique<RemoveOnInterrupt>(work_);
 }
 
@@ -99,22 +102,25 @@ SweepFolder::~SweepFolder() {
   std::error_code ignored;
   fs::remove_all(work_, ignored);
   fs::remove(file("points.partial"), ignored);  // if no other process has its part there
-  if (lock_ >= 0) close(lock_);
 }
 
 /// The processes that simulate hold the lock as well: while one of a sweep that was killed still ends, we wait.
 void SweepFolder::lock() {
-  lock_ = open(name_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (lock_ < 0) throw InputError(name_, std::string("cannot open: ") + std::strerror(errno));
-  for (int attempt = 0; flock(lock_, LOCK_EX | LOCK_NB) != 0; ++attempt) {
-    if (errno == ENOLCK || errno == EOPNOTSUPP) return;  // a file system without locks
-    if (attempt == 100) {
-      close(lock_);
-      lock_ = -1;
-      throw InputError(name_, "another artu sweep works on it; when that has ended, --resume would be right");
-    }
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    lock_ = std::make_unique<FolderLock>(name_);
+    if (lock_->held()) return;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
+  throw InputError(name_, "another artu sweep works on it; when that has ended, --resume would be right");
+}
+
+/// Processes with a part of the sweep.
+bool SweepFolder::others_work() const {
+  std::error_code error;
+  for (const auto& part : fs::directory_iterator(file("points.partial"), error)) {
+    if (part.is_directory(error) && !FolderLock(part.path().string()).held()) return true;
+  }
+  return false;
 }
 
 void SweepFolder::compare(const std::string& description) const {
@@ -145,7 +151,13 @@ bool SweepFolder::finished(const std::string& name) const {
 
 void SweepFolder::remove_unfinished() const {
   std::error_code ignored;
-  fs::remove_all(file("points.partial"), ignored);
+  std::vector<fs::path> parts;
+  for (const auto& part : fs::directory_iterator(file("points.partial"), ignored)) parts.push_back(part.path());
+  for (const fs::path& part : parts) {
+    if (fs::is_directory(part, ignored) && !FolderLock(part.string()).held()) continue;
+    fs::remove_all(part, ignored);
+  }
+  fs::remove(file("points.partial"), ignored);  // if that was all
 }
 
 void SweepFolder::publish(const std::string& name) const {

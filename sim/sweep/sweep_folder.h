@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "sim/report/folder_lock.h"
 #include "sim/report/interruption.h"
 
 namespace artu::sim {
@@ -38,16 +39,17 @@ class SweepFolder {
   std::string unfinished(const std::string& point) const { return work_ + "/" + point; }
   /// Puts the point where it belongs, on the disk.  If another process was faster, its result, the same, stays.
   void publish(const std::string& point) const;
-  /// What processes on lost machines have left, when none is at work any more.
+  /// What processes have left that were killed; not what others are at work on.
   void remove_unfinished() const;
 
  private:
   void lock();
+  bool others_work() const;
   void compare(const std::string& description) const;
 
   const std::string name_;
   std::string work_;
-  int lock_ = -1;
+  std::unique_ptr<FolderLock> lock_, work_lock_;  // on the whole, and on what this process has not finished
   std::unique_ptr<RemoveOnInterrupt> guard_;
 };
 

@@ -47,6 +47,16 @@ TEST(Writer, ReplacesAnOldFileAndAnOldPartialFile) {
   EXPECT_EQ(message_of([&] { read_all(folder / "t"); }), "");
 }
 
+TEST(Writer, RefusesAFileThatIsBeingWritten) {
+  const TempFolder folder;
+  Writer first(folder / "t", sample_scene(1));
+  EXPECT_THAT(message_of([&] { Writer(folder / "t", sample_scene(2)); }),
+              HasSubstr("t.partial: another process writes it"));
+  first.add(sample_frame(0));
+  first.close();
+  EXPECT_EQ(message_of([&] { read_all(folder / "t"); }), "");
+}
+
 TEST(Writer, RefusesTooFewFrames) {
   const TempFolder folder;
   Writer writer(folder / "t", sample_scene(2));
