@@ -5,6 +5,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "sim/report/guarded_folder.h"
 #include "traces/error.h"
 
 namespace artu::sim {
@@ -93,9 +94,9 @@ void RunFolder::create_parent() {
 
 bool RunFolder::create_partial() {
   std::error_code error;
-  open_ = fs::create_directory(partial(), error);
+  guard_ = make_guarded_folder(partial(), error);
+  open_ = guard_ != nullptr;
   if (error) fail(partial(), error);
-  if (open_) guard_ = std::make_unique<RemoveOnInterrupt>(partial());
   return open_;
 }
 
