@@ -10,6 +10,7 @@
 #include <set>
 #include <thread>
 
+#include "sim/report/guarded_folder.h"
 #include "sim/report/line_counts.h"
 
 namespace artu::sim {
@@ -109,6 +110,15 @@ RemoveOnInterrupt::RemoveOnInterrupt(std::string path) : path_(std::move(path)) 
 RemoveOnInterrupt::~RemoveOnInterrupt() {
   const std::lock_guard<std::mutex> lock(guarded().mutex);
   guarded().paths.erase(path_);
+}
+
+std::unique_ptr<RemoveOnInterrupt> make_guarded_folder(const std::string& path, std::error_code& error) {
+  {
+    const std::lock_guard<std::mutex> lock(guarded().mutex);
+    if (!std::filesystem::create_directory(path, error)) return nullptr;
+    guarded().paths.insert(path);
+  }
+  return std::make_unique<RemoveOnInterrupt>(path);
 }
 
 KillOnInterrupt::KillOnInterrupt(const std::function<pid_t()>& fork) {

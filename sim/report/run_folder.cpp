@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "sim/report/guarded_folder.h"
 #include "traces/error.h"
 
 namespace artu::sim {
@@ -125,10 +126,9 @@ void RunFolder::remove_left_over() const {
 
 bool RunFolder::create_partial() {
   std::error_code error;
-  const bool made = fs::create_directory(partial(), error);
+  guard_ = make_guarded_folder(partial(), error);
   if (error) fail(partial(), error);
-  if (!made) return false;
-  guard_ = std::make_unique<RemoveOnInterrupt>(partial());
+  if (!guard_) return false;
   lock_ = std::make_unique<FolderLock>(partial());
   if (!lock_->held()) {  // one with --force has come between
     guard_.reset();

@@ -92,9 +92,9 @@ SweepFolder::SweepFolder(const std::string& name, const std::string& description
   make_folder(file("points"));
   work_ = file("points.partial/" + own_name());
   if (begin != Begin::take_part && begin != Begin::share) remove_unfinished();
+  guard_ = std::make_unique<RemoveOnInterrupt>(work_);
   make_folder(work_);
   work_lock_ = std::make_unique<FolderLock>(work_);
-  guard_ = std::make_unique<RemoveOnInterrupt>(work_);
 }
 
 SweepFolder::~SweepFolder() {

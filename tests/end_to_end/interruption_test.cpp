@@ -2,9 +2,10 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <filesystem>
+#include <thread>
 
 #include "end_to_end/program.h"
 
@@ -21,9 +22,16 @@ class InterruptionTest : public ProgramTest {
  protected:
   InterruptionTest() { write_scene("tiny.obj"); }
 
-  /// A shell's commands, in which $artu is the program.
+  /// A shell's commands, in which "$artu" is the program.
   Finished shell(const std::string& commands) const {
-    return program("/bin/sh", {"-c", "artu=" ARTU_BINARY "; " + commands});
+    return program("/bin/sh", {"-c", "artu=$0; " + commands, ARTU_BINARY});
+  }
+  /// `artu run` of more frames than it ever gets through, into `out`; returns when it has begun to write.
+  Running start_endless(const std::string& jobs, const std::string& size = "640x360") const {
+    Running run =
+        start({"run", "tiny.obj", "--size", size, "--frames", "0:100000", "--quiet", "--jobs", jobs, "-o", "out"});
+    EXPECT_TRUE(run.until([&] { return exists("out.partial"); }));
+    return run;
   }
 };
 
@@ -39,7 +47,7 @@ TEST_F(InterruptionTest, AFullDiskIsOneLineAndLeavesNothing) {
         "stress --rays 100 --only box/as-is --json j"}) {
     SCOPED_TRACE(command);
     // Standard output and error are files here as well: they go through pipes.
-    const Finished run = shell("trap '' XFSZ; { ( ulimit -f 0; $artu " + std::string(command) +
+    const Finished run = shell("trap '' XFSZ; { ( ulimit -f 0; \"$artu\" " + std::string(command) +
                                " 2>&1 >/dev/null; echo \"code $?\" ) | cat; } >&2");
     EXPECT_THAT(run.err, EndsWith("\ncode 2\n"));
     EXPECT_THAT(run.err, StartsWith("error: "));
@@ -52,7 +60,7 @@ TEST_F(InterruptionTest, AStandardOutputWithoutRoomIsOneLine) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
   for (const char* command : {"run --list-params", "--help", "run tiny.obj --size 8x8 -o out", "stress --list"}) {
     SCOPED_TRACE(command);
-    const Finished run = shell("$artu " + std::string(command) + " >/dev/full");
+    const Finished run = shell("\"$artu\" " + std::string(command) + " >/dev/full");
     EXPECT_EQ(run.code, 2);
     EXPECT_THAT(run.err, HasSubstr("standard output"));
   }
@@ -64,7 +72,7 @@ TEST_F(InterruptionTest, APlotThatIsCutOffIsOneLineAndLeavesNothing) {
   write("bin/gnuplot", "#!/bin/sh\nprintf '<svg' > scaling.svg\n");
   std::filesystem::permissions(path("bin/gnuplot"), std::filesystem::perms::owner_all);
   const Finished run =
-      shell("PATH=$PWD/bin:$PATH $artu scaling tiny.obj --size 8x8 --vary core.count=1,2 --quiet -o out");
+      shell("PATH=$PWD/bin:$PATH \"$artu\" scaling tiny.obj --size 8x8 --vary core.count=1,2 --quiet -o out");
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(run.err, AllOf(StartsWith("error: "), HasSubstr("scaling.svg: gnuplot could not write all of it")));
   EXPECT_THAT(content(), ElementsAre("bin", "tiny.obj"));
@@ -72,7 +80,8 @@ TEST_F(InterruptionTest, APlotThatIsCutOffIsOneLineAndLeavesNothing) {
 
 TEST_F(InterruptionTest, AReaderThatGoesAwayLeavesNothing) {
   const Finished run = shell(
-      "{ $artu run tiny.obj --size 160x90 --frames 0:100 --log '*=debug' -o out 2>&1; echo $? > code; } | head -n 1");
+      "{ \"$artu\" run tiny.obj --size 160x90 --frames 0:100 --log '*=debug' -o out 2>&1; echo $? > code; } | head -n "
+      "1");
   EXPECT_THAT(run.out, StartsWith("log: "));
   EXPECT_EQ(read("code"), std::to_string(128 + SIGPIPE) + "\n");
   EXPECT_THAT(content(), ElementsAre("code", "tiny.obj"));
@@ -80,11 +89,10 @@ TEST_F(InterruptionTest, AReaderThatGoesAwayLeavesNothing) {
 
 TEST_F(InterruptionTest, SignalsRemoveWhatIsNotComplete) {
   for (const char* jobs : {"1", "3"}) {
-    for (const char* signal : {"PIPE", "HUP"}) {
-      const Finished run =
-          shell(std::string("$artu run tiny.obj --size 640x360 --frames 0:1000 -o out --jobs ") + jobs +
-                " & until test -e out.partial || ! kill -0 $!; do sleep 0.02; done; kill -" + signal + " $!; wait $!");
-      EXPECT_GT(run.code, 128) << signal;
+    for (const int signal : {SIGINT, SIGQUIT, SIGTERM, SIGHUP, SIGPIPE}) {
+      Running run = start_endless(jobs);
+      run.send(signal);
+      EXPECT_EQ(run.wait(), 128 + signal);
       EXPECT_THAT(content(), ElementsAre("tiny.obj")) << signal;
     }
   }
@@ -93,16 +101,25 @@ TEST_F(InterruptionTest, SignalsRemoveWhatIsNotComplete) {
 /// A process that forks has all its signals blocked for a moment, but in the thread that waits for them.
 TEST_F(InterruptionTest, ABrokenPipeWhileProcessesStartStopsTheRun) {
   for (int attempt = 0; attempt < 20; ++attempt) {
-    const Finished run = shell(
-        "$artu run tiny.obj --size 64x36 --frames 0:1000 -o out --jobs 16 & "
-        "until test -e out.partial || ! kill -0 $!; do :; done; kill -PIPE $!; wait $!");
-    EXPECT_EQ(run.code, 128 + SIGPIPE);
-    EXPECT_THAT(content(), ElementsAre("tiny.obj"));
+    Running run = start_endless("16", "64x36");
+    run.send(SIGPIPE);
+    ASSERT_EQ(run.wait(), 128 + SIGPIPE) << "attempt " << attempt;
+    ASSERT_THAT(content(), ElementsAre("tiny.obj")) << "attempt " << attempt;
   }
 }
 
+/// As nohup has it.
+TEST_F(InterruptionTest, ASignalThatIsIgnoredStaysIgnored) {
+  Running run = start_program(
+      "/bin/sh", {"-c", "trap '' HUP; exec \"$0\" run tiny.obj --size 32x32 --frames 0:50 -o out", ARTU_BINARY});
+  ASSERT_TRUE(run.until([&] { return exists("out.partial") || exists("out"); }));
+  run.send(SIGHUP);
+  EXPECT_EQ(run.wait(), 0);
+  EXPECT_THAT(content(), ElementsAre("out", "tiny.obj"));
+}
+
 TEST_F(InterruptionTest, TooLittleMemoryIsOneLineAndLeavesNothing) {
-  const Finished run = shell("ulimit -v 400000; $artu run tiny.obj --size 16384x16384 -o out");
+  const Finished run = shell("ulimit -v 400000; \"$artu\" run tiny.obj --size 16384x16384 -o out");
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(run.err, AllOf(StartsWith("error: "), HasSubstr("out of memory")));
   EXPECT_THAT(content(), ElementsAre("tiny.obj"));
@@ -118,36 +135,35 @@ TEST_F(InterruptionTest, APlaceThatCannotBeWrittenIsNamedBeforeAnythingRuns) {
 
 /// A killed run has no folder under its name, or all of it.
 TEST_F(InterruptionTest, AKillAtAnyMomentLeavesAllOrNothing) {
-  const std::string whole = "$artu run tiny.obj --size 48x32 --frames 0:6 --pictures all --quiet -o ";
-  ASSERT_EQ(shell(whole + "whole").code, 0);
+  const auto run = [](const std::string& out) {
+    return std::vector<std::string>{"run",        "tiny.obj", "--size",  "48x32", "--frames", "0:6",
+                                    "--pictures", "all",      "--quiet", "-o",    out};
+  };
+  const auto begin = std::chrono::steady_clock::now();
+  fine(run("whole"));
+  const auto whole = std::chrono::steady_clock::now() - begin;
   const std::vector<std::string> files = content("whole");
-  unsigned unfinished = 0;
-  for (int milliseconds = 0; milliseconds < 300; milliseconds += 15) {
-    const std::string name = "out" + std::to_string(milliseconds);
-    char pause[16];
-    std::snprintf(pause, sizeof pause, "0.%03d", milliseconds);
-    shell(whole + name + " & sleep " + pause + "; kill -9 $! 2>/dev/null; wait");
+  const int moments = 20;
+  for (int moment = 0; moment < moments; ++moment) {
+    const std::string name = "out" + std::to_string(moment);
+    Running killed = start(run(name));
+    std::this_thread::sleep_for(moment * whole / moments);
+    killed.send(SIGKILL);
+    killed.wait();
     if (exists(name)) {
       EXPECT_EQ(content(name), files) << name;
-    } else {
-      ++unfinished;
     }
   }
-  EXPECT_GT(unfinished, 0u) << "the first is killed before it can be done";
-  // What is left of one does not stand in the way of the next.
-  shell(whole + "again & sleep 0.05; kill -9 $!; wait");
-  EXPECT_EQ(shell(whole + "again --force").code, 0);
-  EXPECT_EQ(content("again"), files);
 }
 
-TEST_F(InterruptionTest, AnInterruptLeavesNothing) {
-  for (const char* signal : {"TERM", "HUP"}) {  // a shell has background jobs ignore INT: JobsTest has it
-    const Finished run =
-        shell("$artu run tiny.obj --size 640x360 --frames 0:100000 --quiet -o out & sleep 0.3; kill -" +
-              std::string(signal) + " $!; wait $!");
-    EXPECT_GT(run.code, 128) << signal;
-    EXPECT_THAT(content(), ElementsAre("tiny.obj")) << signal;
-  }
+TEST_F(InterruptionTest, WhatAKilledRunLeavesDoesNotStandInTheWayOfTheNext) {
+  Running run = start_endless("1");
+  run.send(SIGKILL);
+  EXPECT_EQ(run.wait(), 128 + SIGKILL);
+  EXPECT_THAT(content(), ElementsAre("out.partial", "tiny.obj"));
+  EXPECT_THAT(refused({"run", "tiny.obj", "--size", "8x8", "-o", "out"}), HasSubstr("--force would replace it"));
+  fine({"run", "tiny.obj", "--size", "8x8", "-o", "out", "--force"});
+  EXPECT_THAT(content(), ElementsAre("out", "tiny.obj"));
 }
 
 }  // namespace

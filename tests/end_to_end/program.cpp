@@ -1,9 +1,5 @@
 #include "end_to_end/program.h"
 
-#include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -18,11 +14,6 @@ namespace {
 std::string read_all(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-void redirect(int to, const std::string& file) {
-  const int from = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  if (from < 0 || dup2(from, to) < 0) _exit(127);
 }
 
 }  // namespace
@@ -48,29 +39,34 @@ ProgramTest::ProgramTest() {
   folder_ = name;
 }
 
-ProgramTest::~ProgramTest() { fs::remove_all(folder_); }
+ProgramTest::~ProgramTest() {
+  processes_.end();
+  // What was started by what was killed may take a moment to end, and put another file there.
+  std::error_code error;
+  for (int attempt = 0; attempt < 10; ++attempt) {
+    fs::remove_all(folder_, error);
+    if (!error) break;
+  }
+}
 
 Finished ProgramTest::artu(const std::vector<std::string>& args) const { return program(ARTU_BINARY, args); }
 
 Finished ProgramTest::program(const std::string& binary, const std::vector<std::string>& args) const {
   const std::string out = folder_.string() + ".out", err = folder_.string() + ".err";
-  std::vector<char*> argv{const_cast<char*>(binary.c_str())};
-  for (const std::string& arg : args) argv.push_back(const_cast<char*>(arg.c_str()));
-  argv.push_back(nullptr);
-  const pid_t child = fork();
-  if (child == 0) {
-    redirect(STDOUT_FILENO, out);
-    redirect(STDERR_FILENO, err);
-    if (chdir(folder_.c_str()) != 0) _exit(127);
-    execv(binary.c_str(), argv.data());
-    _exit(127);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  Finished finished{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_all(out), read_all(err)};
+  const int code = processes_.start(binary, args, folder_.string(), out, err).wait();
+  Finished finished{code, read_all(out), read_all(err)};
   fs::remove(out);
   fs::remove(err);
   return finished;
+}
+
+Running ProgramTest::start(const std::vector<std::string>& args, const std::string& err) const {
+  return start_program(ARTU_BINARY, args, err);
+}
+
+Running ProgramTest::start_program(const std::string& binary, const std::vector<std::string>& args,
+                                   const std::string& err) const {
+  return processes_.start(binary, args, folder_.string(), "/dev/null", (folder_ / err).string());
 }
 
 Finished ProgramTest::fine(const std::vector<std::string>& args) const {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "end_to_end/processes.h"
+
 namespace artu::test {
 
 struct Finished {
@@ -27,6 +29,12 @@ class ProgramTest : public ::testing::Test {
   Finished artu(const std::vector<std::string>& args) const;
   /// The same for another program.
   Finished program(const std::string& binary, const std::vector<std::string>& args) const;
+  /// The same two beside the test, with what they print on stderr in a file of the test's folder.
+  Running start(const std::vector<std::string>& args, const std::string& err = "/dev/null") const;
+  Running start_program(const std::string& binary, const std::vector<std::string>& args,
+                        const std::string& err = "/dev/null") const;
+  /// Kills all that was started.
+  void kill_all() const { processes_.end(); }
   /// `artu ARGS`, and expects exit code 0.
   Finished fine(const std::vector<std::string>& args) const;
   /// The same, and expects exit code 2, nothing on stdout, and one line on stderr, which is returned.
@@ -46,6 +54,7 @@ class ProgramTest : public ::testing::Test {
 
  private:
   std::filesystem::path folder_;
+  mutable Processes processes_;
 };
 
 }  // namespace artu::test
