@@ -37,6 +37,8 @@ def types_of(path):
                 inside.pop()
 
 
+if sys.argv[1:2] in (["-h"], ["--help"]):
+    sys.exit(print(__doc__))
 files = collections.defaultdict(list)
 for path in sys.argv[1:]:
     for name in types_of(path):

@@ -11,6 +11,12 @@ DECLARES = re.compile(r"^\s*(//|\[\[noreturn\]\]|void |.*\bvoid \w*(::)?(fail|re
 
 
 def main():
+    if sys.argv[1:] in (["-h"], ["--help"]):
+        print(__doc__)
+        return
+    if len(sys.argv) != 3:
+        print("error: coverage_messages.py: coverage_messages.py LINES ROOT would be right", file=sys.stderr)
+        sys.exit(2)
     lines_file, root = sys.argv[1:]
     with open(lines_file, encoding="utf-8") as file:
         files = json.load(file)["files"]

@@ -17,6 +17,12 @@ def row(name, lines, covered, note=""):
 
 
 def main():
+    if sys.argv[1:] in (["-h"], ["--help"]):
+        print(__doc__)
+        return 0
+    if len(sys.argv) != 2:
+        print("error: coverage_table.py: coverage_table.py SUMMARY would be right", file=sys.stderr)
+        return 2
     with open(sys.argv[1], encoding="utf-8") as file:
         files = json.load(file)["files"]
     sums = collections.defaultdict(lambda: [0, 0])

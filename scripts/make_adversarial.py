@@ -64,7 +64,8 @@ def look_at(eye, target):
 
 def main():
     if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
-        sys.exit("usage: make_adversarial.py FILE.gltf")
+        print("usage: make_adversarial.py FILE.gltf", file=sys.stderr)
+        sys.exit(0 if sys.argv[1:] == ["--help"] else 2)
     g = Gltf()
     g.json["asset"]["generator"] = "make_adversarial.py"
     nodes = []

@@ -34,7 +34,8 @@ def ball():
 
 def main():
     if len(sys.argv) not in (2, 3) or sys.argv[1].startswith("-"):
-        sys.exit("usage: make_large.py FILE.gltf [TRIANGLES]")
+        print("usage: make_large.py FILE.gltf [TRIANGLES]", file=sys.stderr)
+        sys.exit(0 if sys.argv[1:] == ["--help"] else 2)
     wanted = int(sys.argv[2]) if len(sys.argv) == 3 else 10_000_000
     balls = max(1, -(-wanted // (2 * RINGS * SECTORS)))
     g = Gltf()

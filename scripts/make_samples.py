@@ -290,7 +290,8 @@ def main():
         sphere(os.path.join(sys.argv[2], "glass_ball.gltf"), GLASS, columns=32, rows=20, bounce=1.4)
         return
     if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
-        sys.exit("usage: make_samples.py [--default-stage] FOLDER")
+        print("usage: make_samples.py [--default-stage] FOLDER", file=sys.stderr)
+        sys.exit(0 if sys.argv[1:] == ["--help"] else 2)
     folder = sys.argv[1]
     os.makedirs(folder, exist_ok=True)
     ground(os.path.join(folder, "ground.gltf"))

@@ -2,8 +2,13 @@
 """Writes hw/datapath/srgb_tables.inc from the sRGB curve in 60-digit arithmetic (docs/arithmetic.md, 6 and 8)."""
 import pathlib
 import struct
+import sys
 from decimal import Decimal, getcontext
 from fractions import Fraction
+
+if sys.argv[1:]:  # it takes none
+    print(__doc__, file=sys.stderr)
+    sys.exit(0 if sys.argv[1:] == ["--help"] else 2)
 
 getcontext().prec = 60
 

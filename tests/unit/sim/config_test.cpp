@@ -10,6 +10,7 @@
 #include "sim/config/dump.h"
 #include "sim/config/parameter_list.h"
 #include "traces/error.h"
+#include "unit/sim/temp_folder.h"
 
 namespace artu::sim {
 namespace {
@@ -20,8 +21,6 @@ using ::testing::StartsWith;
 
 class ConfigTest : public ::testing::Test {
  protected:
-  ~ConfigTest() override { std::remove(file_.c_str()); }
-
   const std::string& write(const std::string& text) {
     std::ofstream(file_) << text;
     return file_;
@@ -60,8 +59,8 @@ class ConfigTest : public ::testing::Test {
     return "";
   }
 
-  const std::string file_ =
-      ::testing::TempDir() + ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml";
+  const test::TempFolder folder_;
+  const std::string file_ = folder_.path("unit.toml");
 };
 
 TEST_F(ConfigTest, FileSetsWhatItNamesAndLeavesTheRest) {

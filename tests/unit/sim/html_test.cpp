@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "sim/html/assets.h"
@@ -11,6 +10,7 @@
 #include "sim/html/run_data.h"
 #include "sim/report/file.h"
 #include "traces/error.h"
+#include "unit/sim/temp_folder.h"
 
 namespace artu::sim {
 namespace {
@@ -59,9 +59,8 @@ TEST(Html, AnAssetIsKnownByItsName) {
 }
 
 TEST(RunPictures, AreLeftOutEvenlyWhereTheyAreTooMany) {
-  const std::string folder = ::testing::TempDir() + "artu_pictures_test";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directory(folder);
+  const test::TempFolder temporary;
+  const std::string& folder = temporary.path();
   for (int frame = 5; frame < 13; ++frame) {
     for (const char* kind : {"frame", "class"}) {
       write_file(fmt::format("{}/{}_{:04}.png", folder, kind, frame), std::string(1000, 'x'));
@@ -88,11 +87,11 @@ TEST(RunPictures, AreLeftOutEvenlyWhereTheyAreTooMany) {
   EXPECT_THAT(frames(5999), ElementsAre(5, 9));
   EXPECT_THAT(frames(1999), ElementsAre());
   EXPECT_THAT(frames(0), ElementsAre());
-  std::filesystem::remove_all(folder);
 }
 
 TEST(Csv, TakesQuotesCommasAndLineEndsInCells) {
-  const std::string file = ::testing::TempDir() + "artu_html_test.csv";
+  const test::TempFolder folder;
+  const std::string file = folder.path("a.csv");
   write_file(file, "a,\"b \"\"c\"\"\",d\r\n1,\"2,\n3\",\n,,\n");
   const CsvFile csv = read_csv(file);
   EXPECT_THAT(csv.columns, ElementsAre("a", "b \"c\"", "d"));
@@ -104,7 +103,6 @@ TEST(Csv, TakesQuotesCommasAndLineEndsInCells) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr(".csv:4: has 1 cells; 2"));
   }
-  std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "traces/error.h"
+#include "unit/sim/temp_folder.h"
 
 namespace artu::sim {
 namespace {
@@ -25,8 +26,8 @@ TEST(MemoryTrace, LinesAreThoseOfTheReaders) {
 }
 
 TEST(MemoryTrace, AFrameBeginsWhereTheOneBeforeEnds) {
-  const std::string name = (fs::path(::testing::TempDir()) / "frames.trace").string();
-  fs::remove(name);
+  const test::TempFolder folder;
+  const std::string name = folder.path("frames.trace");
   {
     MemoryTrace trace(name, MemoryTraceFormat::dramsim3, false);
     const hw::MemoryObserver observer = trace.observer();
@@ -40,14 +41,12 @@ TEST(MemoryTrace, AFrameBeginsWhereTheOneBeforeEnds) {
     trace.close();
   }
   EXPECT_EQ(read_file(name), "0x12340 READ 3\n0xffffffffc0 WRITE 100\n0x12340 READ 101\n0x12340 READ 151\n");
-  fs::remove(name);
 }
 
 TEST(MemoryTrace, AFullDiskIsReportedAtTheEndOfTheFrame) {
   if (!fs::exists("/dev/full")) GTEST_SKIP();
-  const std::string name = (fs::path(::testing::TempDir()) / "full.trace").string();
-  fs::remove(name);
-  fs::remove(name + ".partial");
+  const test::TempFolder folder;
+  const std::string name = folder.path("full.trace");
   fs::create_symlink("/dev/full", name + ".partial");
   {
     MemoryTrace trace(name, MemoryTraceFormat::dramsim3, false);

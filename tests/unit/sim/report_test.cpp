@@ -18,6 +18,7 @@
 #include "sim/report/stats_text.h"
 #include "sim/report/summary.h"
 #include "traces/error.h"
+#include "unit/sim/temp_folder.h"
 
 namespace artu::sim {
 namespace {
@@ -28,15 +29,10 @@ using ::testing::StartsWith;
 
 class ReportTest : public ::testing::Test {
  protected:
-  ReportTest() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~ReportTest() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return temporary_.path(name); }
 
-  const fs::path folder_ =
-      fs::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  const test::TempFolder temporary_;
+  const fs::path folder_ = temporary_.path();
 };
 
 /// Two by two: sampled static, interpolated, traced dynamic, traced miss.
