@@ -23,7 +23,7 @@ OutputFile::OutputFile(const std::string& path)
     : path_(path),
       partial_(path + ".partial"),
       fd_(::open(partial_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
-  if (fd_.get() < 0) throw InputError(partial_, std::string("cannot create the file: ") + std::strerror(errno));
+  if (fd_.get() < 0) throw FileError(partial_, std::string("cannot create the file: ") + std::strerror(errno));
 }
 
 OutputFile::~OutputFile() {
@@ -31,7 +31,7 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::fail(const std::string& doing, int error) const {
-  throw InputError(partial_, "cannot " + doing + ": " + std::strerror(error));
+  throw FileError(partial_, "cannot " + doing + ": " + std::strerror(error));
 }
 
 void OutputFile::write(const void* data, std::size_t size) {
@@ -58,12 +58,12 @@ void OutputFile::commit() {
 // Not blocking, or a named pipe would wait for a writer before it can be refused.
 InputFile::InputFile(const std::string& path)
     : path_(path), fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-  if (fd_.get() < 0) throw InputError(path, std::string("cannot open the file: ") + std::strerror(errno));
+  if (fd_.get() < 0) throw FileError(path, std::string("cannot open the file: ") + std::strerror(errno));
   struct stat status {};
   if (::fstat(fd_.get(), &status) != 0) {
-    throw InputError(path, std::string("cannot read the file: ") + std::strerror(errno));
+    throw FileError(path, std::string("cannot read the file: ") + std::strerror(errno));
   }
-  if (!S_ISREG(status.st_mode)) throw InputError(path, "is not a regular file");
+  if (!S_ISREG(status.st_mode)) throw InputError(path, "is not a regular file; a trace on a disk would be right");
   size_ = static_cast<std::uint64_t>(status.st_size);
 }
 
@@ -74,7 +74,7 @@ std::size_t InputFile::read(std::uint64_t offset, void* data, std::size_t size) 
     const ssize_t got = ::pread(fd_.get(), at + total, size - total, static_cast<off_t>(offset + total));
     if (got < 0) {
       if (errno == EINTR) continue;
-      throw InputError(path_, std::string("cannot read the file: ") + std::strerror(errno));
+      throw FileError(path_, std::string("cannot read the file: ") + std::strerror(errno));
     }
     if (got == 0) break;
     total += static_cast<std::size_t>(got);

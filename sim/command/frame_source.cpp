@@ -9,6 +9,7 @@
 
 #include "sim/import/files_read.h"
 #include "sim/report/digest.h"
+#include "sim/report/file.h"
 #include "traces/error.h"
 
 namespace artu::sim {
@@ -27,6 +28,7 @@ void require_file(const std::string& path) {
   if (std::filesystem::is_directory(path, error)) {
     throw InputError(path, "is a folder; a scene (.glb, .gltf, .obj, .stage.toml) or a trace would be right");
   }
+  refuse_irregular(path);
 }
 
 FrameSource::FrameSource(const SourceOptions& options, std::vector<std::string>& log) : path_(options.path) {

@@ -28,7 +28,7 @@ std::string scene_name(const std::string& scene_file) {
 }
 
 [[noreturn]] void fail(const std::string& name, const std::error_code& error) {
-  throw InputError(name, "cannot write: " + error.message() + "; another folder with -o would be right");
+  throw FileError(name, "cannot write: " + error.message() + "; another folder with -o would be right");
 }
 
 }  // namespace

@@ -109,6 +109,10 @@ TEST_F(MessagesTest, OfRunsThatSomebodyHasChanged) {
   run("d");
   change("d/stats.json", [](Json& stats) { stats["frames"][0]["violations"] = {3}; });
   EXPECT_THAT(refused({"report", "d"}), HasSubstr("violations holds what is no text"));
+  run("f");
+  std::filesystem::remove(path("f/frame_0000.png"));
+  std::filesystem::create_directory(path("f/frame_0000.png"));
+  EXPECT_EQ(refused({"report", "f"}), "error: f/frame_0000.png: is a folder; a file would be right\n");
   run("e");
   change("e/timeline.json", [](Json& timeline) { timeline["frames"][0]["at"] = Json::array(); });
   EXPECT_THAT(refused({"report", "e"}), HasSubstr("at is empty; one look or more would be right"));
