@@ -65,9 +65,7 @@ void FrameSource::open_scene(const SourceOptions& options, std::vector<std::stri
   import.width = size.width;
   import.height = size.height;
   if (options.fps) import.fps = *options.fps;
-  if (!(import.fps > 0 && import.fps <= 1e6)) {
-    throw InputError("--fps", fmt::format("{} is out of range; above 0, up to 1000000, would be right", import.fps));
-  }
+  check_fps(import.fps);
   const auto asked = options.frames ? parse_frames(*options.frames) : FrameRange{};
   range_ = asked.value_or(FrameRange{});
   const FilesRead files;

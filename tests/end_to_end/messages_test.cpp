@@ -57,7 +57,28 @@ TEST_F(MessagesTest, OfGrids) {
   EXPECT_THAT(grid("[sobol]\nsamples = 4\ncore.count = {low = 1}\n"), HasSubstr("lacks its low or its high end"));
   EXPECT_THAT(grid("pictures = 3\n" + axis), HasSubstr("pictures = 3 is no text; quotes around it would be right"));
   EXPECT_THAT(grid("fps = \"30\"\n" + axis), HasSubstr("is no number; one would be right"));
+  for (const char* fps : {"nan", "0", "-1", "inf", "1e9", "-0.0"}) {
+    write("grid.toml", "scenes = [\"tiny.obj\"]\nfps = " + std::string(fps) + "\n" + axis);
+    EXPECT_THAT(refused({"sweep", "grid.toml", "--dry-run"}), HasSubstr("error: grid.toml:2: --fps: ")) << fps;
+    write("grid.toml", "scenes = [\n{file = \"tiny.obj\", fps = " + std::string(fps) + "}]\n" + axis);
+    EXPECT_THAT(refused({"sweep", "grid.toml", "--dry-run"}), HasSubstr("error: grid.toml:2: --fps: ")) << fps;
+  }
   EXPECT_FALSE(exists("out"));
+}
+
+/// TOML can write it, a file name cannot have it, and a message would end there.
+TEST_F(MessagesTest, OfZeroBytes) {
+  const std::string right = "has a zero byte in it; a text without would be right\n";
+  write("grid.toml", "scenes = [\"tiny\\u0000.obj\"]\n[grid]\ncore.count = [1]\n");
+  EXPECT_EQ(refused({"sweep", "grid.toml", "--dry-run"}), "error: grid.toml:1: \"tiny\\x00.obj\" " + right);
+  EXPECT_EQ(grid("[grid]\ncore.count = [1]\n\"a\\u0000b\" = [2]\n"), "error: grid.toml:5: \"a\\x00b\" " + right);
+  EXPECT_EQ(stage("[camera]\nnode = \"a\\u0000\"\n"), "error: bad.stage.toml:4: \"a\\x00\" " + right);
+  write("bad.stage.toml", "[[file]]\npath = \"tiny.obj\\u0000\"\n");
+  EXPECT_EQ(refused({"run", "bad.stage.toml"}), "error: bad.stage.toml:2: \"tiny.obj\\x00\" " + right);
+  write("bad.toml", "[accel.static]\nkind = \"bvh2\\u0000\"\n");
+  EXPECT_EQ(refused({"run", "tiny.obj", "-c", "bad.toml"}), "error: bad.toml:2: \"bvh2\\x00\" " + right);
+  EXPECT_EQ(refused({"run", "tiny.obj", "--set", "accel.static.kind=\"kd\\u0000\""}),
+            "error: --set: \"kd\\x00\" " + right);
 }
 
 TEST_F(MessagesTest, OfTooManyPoints) {
