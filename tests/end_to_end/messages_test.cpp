@@ -112,6 +112,23 @@ TEST_F(MessagesTest, OfAPointThatSomebodyHasChanged) {
   const std::string point = "out/" + csv("out/points.csv").at(1).at(1);
   change(point + "/stats.json", [](Json& stats) { stats.erase("frames"); });
   EXPECT_THAT(refused({"sweep", "grid.toml", "-o", "out", "--collect"}), HasSubstr("is not what artu run writes"));
+  for (const char* text : {"{\"status\": 3}", "{}", "{\"status\": \"fine\"}", "[]", "3", "", "{"}) {
+    write(point + "/error.json", text);
+    EXPECT_THAT(refused({"sweep", "grid.toml", "-o", "out", "--collect"}), HasSubstr("/error.json: is no")) << text;
+  }
+}
+
+TEST_F(MessagesTest, OfTheDescriptionOfASweepThatSomebodyHasChanged) {
+  write("grid.toml", "scenes = [\"tiny.obj\"]\nsize = \"8x6\"\n[grid]\ncore.count = [1]\n");
+  fine({"sweep", "grid.toml", "-o", "out", "--quiet"});
+  for (const std::string& text : {std::string("[]"), std::string("3"), std::string("null"), std::string("\"a\""),
+                                  std::string(), std::string("{"), std::string(100000, '[')}) {
+    write("out/sweep.json", text);
+    EXPECT_THAT(refused({"sweep", "grid.toml", "-o", "out", "--resume"}), HasSubstr("out/sweep.json: is ")) << text;
+  }
+  write("out/sweep.json", "{}");
+  EXPECT_THAT(refused({"sweep", "grid.toml", "-o", "out", "--resume"}),
+              HasSubstr("out/sweep.json: is of another sweep"));
 }
 
 TEST_F(MessagesTest, OfRunsThatSomebodyHasChanged) {
