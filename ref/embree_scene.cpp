@@ -3,6 +3,7 @@
 #include <embree3/rtcore.h>
 
 #include <cmath>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -50,18 +51,22 @@ void fill(RTCRay& out, const Ray& ray, float tfar) {
 float below(double x) { return std::nextafter(static_cast<float>(x), -HUGE_VALF); }
 float above(double x) { return std::nextafter(static_cast<float>(x), HUGE_VALF); }
 
+[[noreturn]] void fail(const char* what, RTCError error) {
+  if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+  throw std::runtime_error(std::string("Embree: ") + what + ", error " + std::to_string(error));
+}
+
 }  // namespace
 
 EmbreeDevice::EmbreeDevice() : device_(rtcNewDevice("threads=1")) {
-  if (!device_) throw std::runtime_error("Embree: no device, error " + std::to_string(rtcGetDeviceError(nullptr)));
+  if (!device_) fail("no device", rtcGetDeviceError(nullptr));
 }
 
 void EmbreeDevice::Release::operator()(RTCDeviceTy* device) const { rtcReleaseDevice(device); }
 
 void EmbreeDevice::check(const char* what) const {
   const RTCError error = rtcGetDeviceError(device_.get());
-  if (error != RTC_ERROR_NONE)
-    throw std::runtime_error(std::string("Embree: ") + what + ", error " + std::to_string(error));
+  if (error != RTC_ERROR_NONE) fail(what, error);
 }
 
 template <class Tests>

@@ -6,11 +6,21 @@
 
 namespace artu {
 
+/// Names and words of files may hold anything: a zero byte would end a message, an escape sequence run in a terminal.
+/// Line breaks stay.
+std::string without_control_characters(const std::string& text);
+
 /// Ends the program with exit code 2 and `error: WHERE: WHAT`.
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& where, const std::string& what)
-      : std::runtime_error(where.empty() ? what : where + ": " + what) {}
+      : std::runtime_error(without_control_characters(where.empty() ? what : where + ": " + what)) {}
+};
+
+/// One that is the file system's, not that of what was asked for: at another time the same may work.
+class FileError : public InputError {
+ public:
+  using InputError::InputError;
 };
 
 }  // namespace artu

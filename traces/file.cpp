@@ -37,7 +37,7 @@ int open_locked(const std::string& path) {
     if (file.get() < 0) return -1;
     // Any other error is that of a file system without locks.
     if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      throw InputError(path, "another process writes it; another name would be right, or to wait until it has ended");
+      throw FileError(path, "another process writes it; another name would be right, or to wait until it has ended");
     }
     if (!is_the_file(file.get(), path)) continue;  // the other one has finished between our two steps
     // A device has no length.
@@ -47,7 +47,7 @@ int open_locked(const std::string& path) {
 }
 
 OutputFile::OutputFile(const std::string& path) : path_(path), partial_(path + ".partial"), fd_(open_locked(partial_)) {
-  if (fd_.get() < 0) throw InputError(partial_, std::string("cannot create the file: ") + std::strerror(errno));
+  if (fd_.get() < 0) throw FileError(partial_, std::string("cannot create the file: ") + std::strerror(errno));
 }
 
 OutputFile::~OutputFile() {
@@ -55,7 +55,7 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::fail(const std::string& doing, int error) const {
-  throw InputError(partial_, "cannot " + doing + ": " + std::strerror(error));
+  throw FileError(partial_, "cannot " + doing + ": " + std::strerror(error));
 }
 
 void OutputFile::write(const void* data, std::size_t size) {
@@ -84,12 +84,12 @@ void OutputFile::commit() {
 // Not blocking, or a named pipe would wait for a writer before it can be refused.
 InputFile::InputFile(const std::string& path)
     : path_(path), fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-  if (fd_.get() < 0) throw InputError(path, std::string("cannot open the file: ") + std::strerror(errno));
+  if (fd_.get() < 0) throw FileError(path, std::string("cannot open the file: ") + std::strerror(errno));
   struct stat status {};
   if (::fstat(fd_.get(), &status) != 0) {
-    throw InputError(path, std::string("cannot read the file: ") + std::strerror(errno));
+    throw FileError(path, std::string("cannot read the file: ") + std::strerror(errno));
   }
-  if (!S_ISREG(status.st_mode)) throw InputError(path, "is not a regular file");
+  if (!S_ISREG(status.st_mode)) throw InputError(path, "is not a regular file; a trace on a disk would be right");
   size_ = static_cast<std::uint64_t>(status.st_size);
 }
 
@@ -100,7 +100,7 @@ std::size_t InputFile::read(std::uint64_t offset, void* data, std::size_t size) 
     const ssize_t got = ::pread(fd_.get(), at + total, size - total, static_cast<off_t>(offset + total));
     if (got < 0) {
       if (errno == EINTR) continue;
-      throw InputError(path_, std::string("cannot read the file: ") + std::strerror(errno));
+      throw FileError(path_, std::string("cannot read the file: ") + std::strerror(errno));
     }
     if (got == 0) break;
     total += static_cast<std::size_t>(got);

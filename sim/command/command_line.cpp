@@ -120,8 +120,10 @@ int parse_and_run(int argc, const char* const* argv) {
 }  // namespace
 
 int main_command(int argc, const char* const* argv) {
-  handle_interruptions();
-  return exit_code_of([&] { return parse_and_run(argc, argv); });
+  return exit_code_of([&] {
+    handle_interruptions();
+    return parse_and_run(argc, argv);
+  });
 }
 
 }  // namespace artu::sim

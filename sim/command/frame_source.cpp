@@ -9,6 +9,7 @@
 
 #include "sim/import/files_read.h"
 #include "sim/report/digest.h"
+#include "sim/report/file.h"
 #include "traces/error.h"
 
 namespace artu::sim {
@@ -27,6 +28,7 @@ void require_file(const std::string& path) {
   if (std::filesystem::is_directory(path, error)) {
     throw InputError(path, "is a folder; a scene (.glb, .gltf, .obj, .stage.toml) or a trace would be right");
   }
+  refuse_irregular(path);
 }
 
 FrameSource::FrameSource(const SourceOptions& options, std::vector<std::string>& log) : path_(options.path) {
@@ -63,9 +65,7 @@ void FrameSource::open_scene(const SourceOptions& options, std::vector<std::stri
   import.width = size.width;
   import.height = size.height;
   if (options.fps) import.fps = *options.fps;
-  if (!(import.fps > 0 && import.fps <= 1e6)) {
-    throw InputError("--fps", fmt::format("{} is out of range; above 0, up to 1000000, would be right", import.fps));
-  }
+  check_fps(import.fps);
   const auto asked = options.frames ? parse_frames(*options.frames) : FrameRange{};
   range_ = asked.value_or(FrameRange{});
   const FilesRead files;

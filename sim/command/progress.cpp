@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <system_error>
 
 namespace artu::sim {
 namespace {
@@ -21,7 +22,11 @@ std::string minutes(double seconds) {
 }  // namespace
 
 Progress::Progress(std::uint64_t count, const char* what, bool quiet) : count_(count), what_(what) {
-  if (!quiet && isatty(STDERR_FILENO)) thread_ = std::thread([this] { show(); });
+  if (quiet || !isatty(STDERR_FILENO)) return;
+  try {
+    thread_ = std::thread([this] { show(); });
+  } catch (const std::system_error&) {  // no further thread: what was asked for goes on without a bar
+  }
 }
 
 Progress::~Progress() {

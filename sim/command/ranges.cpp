@@ -63,6 +63,11 @@ std::optional<FrameRange> parse_frames(const std::string& text) {
   return FrameRange{*first, *last};
 }
 
+void check_fps(double fps) {
+  if (fps > 0 && fps <= 1e6) return;
+  throw InputError("--fps", fmt::format("{} is out of range; above 0, up to 1000000, would be right", fps));
+}
+
 PictureSize parse_size(const std::string& text) {
   const std::size_t cross = text.find('x');
   const std::string x = text.substr(0, cross), y = cross == std::string::npos ? "" : text.substr(cross + 1);

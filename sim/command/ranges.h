@@ -31,6 +31,9 @@ struct PictureSize {
 /// "WxH", each 1 ... 16384.  Throws InputError.
 PictureSize parse_size(const std::string& text);
 
+/// Above 0, up to 1000000.  Throws InputError.
+void check_fps(double fps);
+
 /// "DATAPATH" or "DATAPATH:BIT", as in `--inject-fault box:31`; without BIT the lowest.  Throws InputError.
 hw::Fault parse_fault(const std::string& text);
 

@@ -202,7 +202,8 @@ void print_dry_run(const RunOptions& options, const FrameSource& source) {
 RunResult run_frames(const RunOptions& options, const hw::UnitConfig& unit, const FrameSource& source,
                      StaticTrees* shared_trees, MemoryMeter& memory, RunReport* report) {
   SimulationOptions simulation = options.simulation;
-  simulation.log_sink = [](const std::string& line) { fmt::print(stderr, "log: {}\n", line); };
+  // Throws nothing: what is thrown in the simulation kernel comes out of it as another error.
+  simulation.log_sink = [](const std::string& line) { std::fputs(("log: " + line + "\n").c_str(), stderr); };
   const bool sampled = simulation.fidelity == Fidelity::sampled;
   StaticTrees trees(source.scene());
   simulation.static_trees = shared_trees;

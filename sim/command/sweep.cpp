@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <numeric>
+#include <system_error>
 
 #include "sim/command/commands.h"
 #include "sim/command/progress.h"
@@ -54,14 +55,17 @@ class PointRun {
       run.force = true;  // what another process with our number may have left
       RunReport report(run);
       run_frames(run, point.unit, scene.source, &scene.trees, scene.memory, &report);
+    } catch (const FileError&) {  // neither a full disk nor too little memory is a property of the point
+      throw;
+    } catch (const std::system_error&) {
+      throw;
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const InputError& error) {
-      // A folder that cannot be written is no property of the point.
-      if (std::string(error.what()).compare(0, place.size(), place) == 0) throw;
+      if (std::string(error.what()).compare(0, place.size(), place) == 0) throw;  // nor is who else writes its folder
       fail(point, "refused", error.what());
     } catch (const DeadLock& error) {
       fail(point, "dead-lock", error.what());
-    } catch (const std::bad_alloc&) {
-      throw;
     } catch (const std::exception& error) {
       fail(point, "internal", error.what());
     }

@@ -8,6 +8,7 @@
 #include "sim/config/cross_check.h"
 #include "sim/config/parameter_list.h"
 #include "sim/config/toml_assigner.h"
+#include "sim/config/toml_texts.h"
 #include "sim/report/file.h"
 #include "traces/error.h"
 
@@ -32,6 +33,7 @@ toml::table parse(const std::string& text, const std::string& file) {
 
 void assign(const toml::table& root, const PlaceOf& place_of, hw::UnitConfig& unit,
             std::map<std::string, std::string>& places) {
+  refuse_zero_bytes(root, place_of);
   refuse_unknown_keys(root, place_of);
   hw::UnitConfig changed = unit;
   TomlAssigner assigner(root, place_of);

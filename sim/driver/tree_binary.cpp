@@ -3,8 +3,10 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <new>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 
 #include "sim/driver/tree_morton.h"
 #include "sim/driver/tree_sah.h"
@@ -42,6 +44,11 @@ std::uint32_t add_work(const BinaryNode& node, std::uint32_t on_chip, std::uint3
   return count;
 }
 
+[[noreturn]] void fail(const char* what, RTCError error) {
+  if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+  throw std::runtime_error(std::string("Embree: ") + what + ", error " + std::to_string(error));
+}
+
 }  // namespace
 
 BinaryNode* BinaryNodes::leaf(std::size_t first, std::size_t count) const {
@@ -75,9 +82,11 @@ BinaryTree::BinaryTree(const std::vector<Box>& boxes, const TreeRecipe& recipe) 
   } else {
     // The lowest instruction set and one thread: no machine-dependent choices.
     device_ = rtcNewDevice("threads=1,isa=sse2");
-    if (device_ == nullptr) throw std::runtime_error("Embree: no device for the tree builder");
+    if (device_ == nullptr) fail("no device for the tree builder", rtcGetDeviceError(nullptr));
     bvh_ = rtcNewBVH(device_);
     root_ = build_sah(bvh_, boxes, recipe.leaf_size);
+    // Halving is for what the builder cannot split, not another tree for who has less memory.
+    if (root_ == nullptr && rtcGetDeviceError(device_) == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
     if (root_ == nullptr) root_ = halve(boxes, recipe.leaf_size, made);
   }
   finish(*root_, boxes);

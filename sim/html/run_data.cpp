@@ -203,6 +203,7 @@ std::vector<PictureFile> picture_files(const std::string& folder) {
       if (digits.size() > 9 ||
           !std::all_of(digits.begin(), digits.end(), [](unsigned char c) { return std::isdigit(c); }))
         continue;
+      refuse_irregular(entry.path().string());
       files.push_back({kind, static_cast<std::uint32_t>(std::stoul(digits)), entry.path(), entry.file_size()});
     }
   }

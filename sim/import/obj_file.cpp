@@ -5,8 +5,11 @@
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <stdexcept>
+#include <string_view>
 #include <tuple>
 
+#include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
 #include "sim/import/image.h"
@@ -20,6 +23,10 @@ namespace {
 
 constexpr std::uint64_t max_obj = std::uint64_t{1} << 32;
 
+std::string_view text_of(const std::vector<std::uint8_t>& bytes) {
+  return without_byte_order_mark({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
 /// MTL files from the scene's own folder; one that is missing is a log line, since many OBJ files go without.
 class FolderMaterials : public tinyobj::MaterialReader {
  public:
@@ -30,7 +37,7 @@ class FolderMaterials : public tinyobj::MaterialReader {
     try {
       const std::string path = resource_path(folder_of(obj_), name, obj_ + ": mtllib");
       const std::vector<std::uint8_t> bytes = read_file(path, max_obj);
-      std::istringstream text(std::string(bytes.begin(), bytes.end()));
+      std::istringstream text{std::string(text_of(bytes))};
       tinyobj::LoadMtl(by_name, materials, &text, warning, error);
       return true;
     } catch (const InputError& e) {
@@ -147,15 +154,15 @@ class GeometryBuilder {
   Geometry geometry_;
 };
 
-void check_corner(const tinyobj::index_t& i, const tinyobj::attrib_t& a, const std::string& path) {
-  const auto check = [&](int index, std::size_t count, const char* what, bool needed) {
-    if (index < (needed ? 0 : -1) || index >= static_cast<long long>(count))
-      throw InputError(path, std::string("a face uses ") + what + " " + std::to_string(index + 1LL) + " of " +
-                                 std::to_string(count));
+/// That check_obj() has counted as tinyobjloader does: what lies behind these arrays must not be read.
+void check_corner(const tinyobj::index_t& i, const tinyobj::attrib_t& a) {
+  const auto within = [](int index, int least, std::size_t numbers, std::size_t width) {
+    return index >= least && index < static_cast<long long>(numbers / width);
   };
-  check(i.vertex_index, a.vertices.size() / 3, "vertex", true);
-  check(i.normal_index, a.normals.size() / 3, "normal", false);
-  check(i.texcoord_index, a.texcoords.size() / 2, "texture coordinate", false);
+  const bool fine = within(i.vertex_index, 0, a.vertices.size(), 3) &&
+                    within(i.normal_index, -1, a.normals.size(), 3) &&
+                    within(i.texcoord_index, -1, a.texcoords.size(), 2);
+  if (!fine) throw std::logic_error("a corner of a face is not there");
 }
 
 void check_finite(const std::vector<tinyobj::real_t>& v, std::size_t width, double limit, const char* what,
@@ -171,8 +178,8 @@ void check_finite(const std::vector<tinyobj::real_t>& v, std::size_t width, doub
 
 Model import_obj(const std::string& path, std::vector<std::string>& log) {
   const std::vector<std::uint8_t> bytes = read_file(path, max_obj);
-  check_obj_numbers({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
-  std::istringstream text(std::string(bytes.begin(), bytes.end()));
+  const std::uint64_t triangles = check_obj(text_of(bytes), path);
+  std::istringstream text{std::string(text_of(bytes))};
   tinyobj::attrib_t attrib;
   std::vector<tinyobj::shape_t> shapes;
   std::vector<tinyobj::material_t> materials;
@@ -199,12 +206,18 @@ Model import_obj(const std::string& path, std::vector<std::string>& log) {
   bool missing = false;
   for (const auto& shape : shapes) {
     for (const auto& i : shape.mesh.indices) {
-      check_corner(i, attrib, path);
+      check_corner(i, attrib);
       corners.push_back(static_cast<std::uint32_t>(i.vertex_index));
       missing = missing || i.normal_index < 0;
     }
   }
-  if (corners.empty()) throw InputError(path, "has no face");
+  if (corners.empty()) throw InputError(path, "has no face; one with faces would be right");
+  if (corners.size() / 3 < triangles) {
+    log.push_back(
+        fmt::format("{}: lacks {} of {} triangles: faces of more than three corners that cannot be cut into "
+                    "triangles, or that come before their corners",
+                    path, triangles - corners.size() / 3, triangles));
+  }
   std::vector<glm::vec3> made;
   if (missing) {
     made = crease_normals(positions, corners);

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "sim/import/files_read.h"
+#include "sim/report/file.h"
 #include "traces/error.h"
 
 namespace artu::sim {
@@ -67,8 +68,8 @@ std::string folder_of(const std::string& path) {
 }
 
 std::vector<std::uint8_t> read_file(const std::string& path, std::uint64_t limit) {
+  refuse_irregular(path);
   std::error_code error;
-  if (fs::is_directory(path, error)) throw InputError(path, "is a folder, not a file");
   if (!fs::exists(path, error)) throw InputError(path, "no such file");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw InputError(path, "cannot be opened for reading");

@@ -65,7 +65,7 @@ class StageReader {
           fs::path(candidate).is_absolute() ? fs::path(candidate) : fs::path(folder_of(path_)) / candidate;
       std::error_code error;
       if (fs::is_regular_file(full, error)) return full.string();
-      tried += (tried.empty() ? "" : ", ") + full.string();
+      tried += (tried.empty() ? "" : ", ") + full.string() + (fs::exists(full, error) ? " (no regular file)" : "");
     }
     throw InputError(file.where("path"), "[[file]]: no such file: " + tried);
   }

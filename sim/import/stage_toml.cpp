@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/config/edit_distance.h"
+#include "sim/config/toml_texts.h"
 #include "sim/import/resource_path.h"
 #include "traces/error.h"
 
@@ -36,7 +37,9 @@ std::string suggest(const std::string& name, const std::vector<std::string>& kno
 toml::table parse_stage_file(const std::string& path) {
   const std::vector<std::uint8_t> bytes = read_file(path, std::uint64_t{1} << 24);
   try {
-    return toml::parse(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    toml::table root = toml::parse(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    refuse_zero_bytes(root, [&path](const toml::node& node) { return line_of(path, node); });
+    return root;
   } catch (const toml::parse_error& e) {
     throw InputError(path + ":" + std::to_string(e.source().begin.line), std::string(e.description()));
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#define TOML_EXCEPTIONS 1
+#define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
 
 namespace artu::sim {

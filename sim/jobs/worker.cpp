@@ -13,11 +13,13 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <system_error>
 
 #include "sim/driver/frame_simulator.h"
+#include "sim/report/file.h"
 #include "sim/report/line_counts.h"
 #include "traces/error.h"
 
@@ -59,6 +61,8 @@ WorkerAnswer answer_to(std::uint64_t task, const Worker::Work& work) {
     return {WorkerAnswer::Kind::result, work(task)};
   } catch (const InputError& error) {
     return {WorkerAnswer::Kind::input_error, error.what()};
+  } catch (const std::filesystem::filesystem_error& error) {
+    return {WorkerAnswer::Kind::input_error, file_error_of(error).what()};
   } catch (const DeadLock& error) {
     return {WorkerAnswer::Kind::dead_lock, error.what()};
   } catch (const std::bad_alloc&) {

@@ -11,6 +11,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "sim/report/file.h"
 #include "traces/error.h"
 
 namespace artu::sim {
@@ -40,12 +41,13 @@ class Sha256 {
 }  // namespace
 
 std::string sha256_of_file(const std::string& file) {
+  refuse_irregular(file);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"), std::fclose);
-  if (!in) throw InputError(file, std::string("cannot read: ") + std::strerror(errno));
+  if (!in) throw FileError(file, std::string("cannot read: ") + std::strerror(errno));
   Sha256 sum;
   char buffer[1 << 16];
   while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, in.get())) sum.add(buffer, got);
-  if (std::ferror(in.get())) throw InputError(file, std::string("cannot read: ") + std::strerror(errno));
+  if (std::ferror(in.get())) throw FileError(file, std::string("cannot read: ") + std::strerror(errno));
   return sum.text();
 }
 

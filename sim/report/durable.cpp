@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void fail(const std::string& name) {
-  throw InputError(name, std::string("cannot write: ") + std::strerror(errno) +
-                             "; a folder that can be written, on a disk with room, would be right");
+  throw FileError(name, std::string("cannot write: ") + std::strerror(errno) +
+                            "; a folder that can be written, on a disk with room, would be right");
 }
 
 void sync_path(const std::string& name) {

@@ -20,8 +20,8 @@ OutputFile::OutputFile(const std::string& name, int descriptor) : name_(name) {
 }
 
 void OutputFile::fail() const {
-  throw InputError(name_, std::string("cannot write: ") + std::strerror(errno) +
-                              "; a folder that can be written, on a disk with room, would be right");
+  throw FileError(name_, std::string("cannot write: ") + std::strerror(errno) +
+                             "; a folder that can be written, on a disk with room, would be right");
 }
 
 void OutputFile::write(std::string_view text) {
@@ -59,7 +59,7 @@ void AtomicFile::close() {
   file_->flush();
   std::error_code error;
   fs::rename(file_->name(), name_, error);  // while it is locked
-  if (error) throw InputError(name_, "cannot write: " + error.message());
+  if (error) throw FileError(name_, "cannot write: " + error.message());
   const std::unique_ptr<OutputFile> file = std::move(file_);
   file->close();
 }
@@ -70,15 +70,35 @@ void write_file(const std::string& name, std::string_view text) {
   file.close();
 }
 
-std::string read_file(const std::string& name) {
+void refuse_irregular(const std::string& name) {
   std::error_code ignored;
-  if (fs::is_directory(name, ignored)) throw InputError(name, "is a folder; a file would be right");
+  switch (fs::status(name, ignored).type()) {
+    case fs::file_type::directory:
+      throw InputError(name, "is a folder; a file would be right");
+    case fs::file_type::fifo:
+      throw InputError(name, "is a pipe; a regular file would be right");
+    case fs::file_type::character:
+    case fs::file_type::block:
+      throw InputError(name, "is a device; a regular file would be right");
+    case fs::file_type::socket:
+      throw InputError(name, "is a socket; a regular file would be right");
+    default:  // what is not there, or cannot be reached, is reported by who opens it
+      return;
+  }
+}
+
+FileError file_error_of(const fs::filesystem_error& error) {
+  return {error.path1().string(), error.code().message() + "; a file or folder that can be used would be right"};
+}
+
+std::string read_file(const std::string& name) {
+  refuse_irregular(name);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"), std::fclose);
-  if (!file) throw InputError(name, std::string("cannot read: ") + std::strerror(errno));
+  if (!file) throw FileError(name, std::string("cannot read: ") + std::strerror(errno));
   std::string bytes;
   char buffer[1 << 16];
   while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, file.get())) bytes.append(buffer, got);
-  if (std::ferror(file.get())) throw InputError(name, std::string("cannot read: ") + std::strerror(errno));
+  if (std::ferror(file.get())) throw FileError(name, std::string("cannot read: ") + std::strerror(errno));
   return bytes;
 }
 

@@ -2,15 +2,17 @@
 #pragma once
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include "sim/report/interruption.h"
+#include "traces/error.h"
 
 namespace artu::sim {
 
-/// Every failure (no permission, disk full) is an InputError with the file's name.
+/// Every failure (no permission, disk full) is a FileError with the file's name.
 class OutputFile {
  public:
   explicit OutputFile(const std::string& name);
@@ -48,6 +50,12 @@ class AtomicFile {
 
 /// Throws InputError if `name` exists already and `force` is not given, or it is no regular file.
 void refuse_existing(const std::string& name, bool force);
+
+/// Throws InputError if `name` is there and is no regular file: a pipe may wait for ever, a device may never end.
+void refuse_irregular(const std::string& name);
+
+/// What the standard library says of a file, with its name.
+FileError file_error_of(const std::filesystem::filesystem_error& error);
 
 void write_file(const std::string& name, std::string_view text);
 std::string read_file(const std::string& name);

@@ -12,7 +12,7 @@
 namespace artu::sim {
 
 FolderLock::FolderLock(const std::string& folder) : fd_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  if (fd_ < 0) throw InputError(folder, std::string("cannot open: ") + std::strerror(errno));
+  if (fd_ < 0) throw FileError(folder, std::string("cannot open: ") + std::strerror(errno));
   held_ = flock(fd_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 

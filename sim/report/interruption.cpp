@@ -1,5 +1,6 @@
 #include "sim/report/interruption.h"
 
+#include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -8,10 +9,12 @@
 #include <filesystem>
 #include <mutex>
 #include <set>
+#include <system_error>
 #include <thread>
 
 #include "sim/report/guarded_folder.h"
 #include "sim/report/line_counts.h"
+#include "traces/error.h"
 
 namespace artu::sim {
 namespace {
@@ -92,7 +95,13 @@ void handle_interruptions() {
   sigaddset(&pipe, SIGPIPE);
   sigset_t before;
   pthread_sigmask(SIG_BLOCK, &pipe, &before);
-  std::thread([signals] { wait_for(signals); }).detach();
+  try {
+    std::thread([signals] { wait_for(signals); }).detach();
+  } catch (const std::system_error& error) {
+    throw InputError("processes", fmt::format("no thread can be started: {}; a higher limit (ulimit -u), fewer other "
+                                              "processes or more memory would be right",
+                                              error.code().message()));
+  }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 

@@ -9,7 +9,7 @@
 namespace artu::sim {
 
 /// From now on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGPIPE remove what is guarded and end the program with 128 + the
-/// signal's number. Call once, before any thread is started.
+/// signal's number. Call once, before any thread is started. Throws InputError where there can be none.
 void handle_interruptions();
 
 /// For a process that KillOnInterrupt's `fork` has made: forgets what its parent guards, which is the parent's to

@@ -36,7 +36,7 @@ bool exchange(const std::string& a, const std::string& b) {
 }
 
 [[noreturn]] void fail(const std::string& name, const std::error_code& error) {
-  throw InputError(name, "cannot write: " + error.message() + "; another folder with -o would be right");
+  throw FileError(name, "cannot write: " + error.message() + "; another folder with -o would be right");
 }
 
 [[noreturn]] void refuse_other_run(const std::string& partial) {

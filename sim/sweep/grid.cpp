@@ -72,7 +72,10 @@ class Reader {
       source.size = file_.text(*size, "size");
       at(*size, [&] { return parse_size(*source.size); });
     }
-    if (const toml::node* fps = table.get("fps")) source.fps = file_.real(*fps, "fps");
+    if (const toml::node* fps = table.get("fps")) {
+      source.fps = file_.real(*fps, "fps");
+      at(*fps, [&] { check_fps(*source.fps); });
+    }
   }
 
   /// A file with two ranges of frames is two scenes, whose points are not compared with each other.

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "sim/html/json_file.h"
 #include "sim/report/durable.h"
 #include "sim/report/file.h"
 #include "traces/error.h"
@@ -127,8 +128,8 @@ void SweepFolder::compare(const std::string& description) const {
   using Json = nlohmann::ordered_json;
   const std::string recorded = read_file(file(description_file));
   if (recorded == description) return;
-  const Json ours = Json::parse(description), theirs = Json::parse(recorded, nullptr, false);
-  if (theirs.is_discarded()) throw InputError(file(description_file), "is no JSON; another folder would be right");
+  const Json ours = Json::parse(description), theirs = read_json(file(description_file));
+  if (!theirs.is_object()) throw InputError(file(description_file), "is no JSON object; another folder would be right");
   const Json difference = Json::diff(theirs, ours);
   std::string what = "other bytes";
   if (!difference.empty()) {

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <map>
 
+#include "sim/html/json_file.h"
 #include "sim/report/csv.h"
 #include "sim/report/durable.h"
-#include "sim/report/file.h"
 #include "sim/sweep/database.h"
 #include "traces/error.h"
 #include "traces/trace.h"
@@ -19,9 +19,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json parse(const std::string& file) {
-  Json json = Json::parse(read_file(file), nullptr, false);
+  Json json = read_json(file);
   if (!json.is_object()) throw InputError(file, "is no JSON object; the folder without this point would be right");
   return json;
+}
+
+/// Of a point's file that somebody has changed.
+InputError changed(const std::string& file) {
+  return {file, "is not what artu run writes; the folder without this point would be right"};
 }
 
 std::string cell_text(const Json& cell) {
@@ -41,9 +46,13 @@ std::vector<Counter> counters_of(const SweepFolder& folder, const SweepPoint& po
   std::error_code error;
   const std::string stats = folder.point(point.name) + "/stats.json";
   if (!std::filesystem::exists(stats, error)) return counters;
-  const Json blocks = parse(stats).at("totals").at("blocks");
-  for (const auto& [block, names] : blocks.items()) {
-    for (const auto& [name, value] : names.items()) counters.push_back({point.number, block, name, value});
+  const Json json = parse(stats);
+  try {
+    for (const auto& [block, names] : json.at("totals").at("blocks").items()) {
+      for (const auto& [name, value] : names.items()) counters.push_back({point.number, block, name, value});
+    }
+  } catch (const Json::exception&) {
+    throw changed(stats);
   }
   return counters;
 }
@@ -68,8 +77,14 @@ SweepResult result_of(const SweepFolder& folder, const SweepPoint& point) {
   const std::string place = folder.point(point.name);
   std::error_code error;
   if (std::filesystem::exists(place + "/error.json", error)) {
-    result.status = parse(place + "/error.json").value("status", "internal");
-    return result;
+    const Json json = parse(place + "/error.json");
+    const auto status = json.find("status");
+    for (const char* known : {"refused", "dead-lock", "internal"}) {
+      if (status == json.end() || *status != known) continue;
+      result.status = known;
+      return result;
+    }
+    throw changed(place + "/error.json");
   }
   const Json stats = parse(place + "/stats.json");
   try {
@@ -78,8 +93,7 @@ SweepResult result_of(const SweepFolder& folder, const SweepPoint& point) {
       if (!frame.at("violations").empty()) result.status = "violated";
     }
   } catch (const Json::exception&) {
-    throw InputError(place + "/stats.json",
-                     "is not what artu run writes; the folder without this point would be right");
+    throw changed(place + "/stats.json");
   }
   return result;
 }

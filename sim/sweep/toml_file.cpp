@@ -7,6 +7,7 @@
 
 #include "sim/config/edit_distance.h"
 #include "sim/config/text.h"
+#include "sim/config/toml_texts.h"
 #include "sim/report/file.h"
 #include "traces/error.h"
 
@@ -21,6 +22,7 @@ TomlFile::TomlFile(const std::string& name) : name_(name) {
     std::replace(text.begin(), text.end(), '\n', ' ');
     throw InputError(fmt::format("{}:{}", name, error.source().begin.line), "not valid TOML: " + text);
   }
+  refuse_zero_bytes(root_, [this](const toml::node& node) { return place(node); });
 }
 
 std::string TomlFile::place(const toml::node& node) const {

@@ -1,5 +1,6 @@
 // What a full disk, too little memory and a kill at any moment leave behind: one line, and no half-written file.
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -66,6 +67,52 @@ TEST_F(InterruptionTest, AStandardOutputWithoutRoomIsOneLine) {
   }
 }
 
+/// Nobody can be told, but the exit code still says it.
+TEST_F(InterruptionTest, AStandardErrorWithoutRoomKeepsTheExitCode) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
+  for (const char* place : {"2>&-", "2>/dev/full", ">&- 2>&-", ">/dev/full 2>&1", "<&- >&- 2>&-"}) {
+    SCOPED_TRACE(place);
+    for (const char* command : {"run none.obj", "fly", "run tiny.obj --set core.count=0"}) {
+      EXPECT_EQ(shell("$artu " + std::string(command) + " " + place).code, 2) << command;
+    }
+    EXPECT_EQ(shell("$artu run tiny.obj --size 8x8 --inject-fault dram:0 -o out " + std::string(place)).code, 3);
+  }
+  EXPECT_THAT(content(), ElementsAre("tiny.obj"));
+  for (const char* more : {"", "--quiet --log '*=debug'"}) {
+    EXPECT_EQ(shell(std::string("$artu run tiny.obj --size 8x8 --force -o out 2>/dev/full ") + more).code, 2) << more;
+    EXPECT_TRUE(exists("out/manifest.json")) << "only what is said about it is lost";
+  }
+}
+
+/// The first file that is opened would get the number of one that is closed, and what is printed would be in it.
+TEST_F(InterruptionTest, ClosedDescriptorsDoNotBecomeFiles) {
+  const std::string run = "$artu run tiny.obj --size 16x9 --frames 0:2 --log '*=debug' --dump-pixels ";
+  ASSERT_EQ(shell(run + "p.csv -o all 2>/dev/null").code, 0);
+  for (const char* closed : {"2>&-", "<&- 2>&-", "--quiet >&-", "--quiet <&- >&- 2>&-"}) {
+    SCOPED_TRACE(closed);
+    EXPECT_EQ(shell(run + "q.csv --force -o some " + closed).code, 0);
+    EXPECT_EQ(read("q.csv"), read("p.csv"));
+    EXPECT_EQ(content("some"), content("all"));
+    std::filesystem::remove(path("q.csv"));
+  }
+  // A summary that nobody can get is no success.
+  const Finished unheard = shell("$artu run --list-params >&-");
+  EXPECT_EQ(unheard.code, 2);
+  EXPECT_THAT(unheard.err, StartsWith("error: standard output: "));
+}
+
+/// The limit is of a user's processes and threads, and root has none.
+TEST_F(InterruptionTest, WithoutAThreadNothingBegins) {
+  const std::string user = getuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
+  if (shell("prlimit " + user + "$artu --version").code != 0) {
+    GTEST_SKIP() << "skipped: no user whose threads can be limited";
+  }
+  const Finished run = shell("prlimit --nproc=1 " + user + "$artu --version");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err, AllOf(StartsWith("error: processes: no thread can be started: "), EndsWith("would be right\n")));
+}
+
 /// A gnuplot that says that all went well, as the real one does when the disk is full.
 TEST_F(InterruptionTest, APlotThatIsCutOffIsOneLineAndLeavesNothing) {
   std::filesystem::create_directory(path("bin"));
@@ -123,6 +170,19 @@ TEST_F(InterruptionTest, TooLittleMemoryIsOneLineAndLeavesNothing) {
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(run.err, AllOf(StartsWith("error: "), HasSubstr("out of memory")));
   EXPECT_THAT(content(), ElementsAre("tiny.obj"));
+}
+
+/// Whichever of a run's allocations it is that fails, Embree's among them.
+TEST_F(InterruptionTest, LittleMemoryIsNeverAnInternalError) {
+  for (int megabytes = 60; megabytes <= 240; megabytes += 20) {
+    for (const std::string command : {"run", "check"}) {
+      const Finished run = shell("ulimit -v " + std::to_string(megabytes * 1000) + "; $artu " + command +
+                                 " tiny.obj --size 8x8 --force -o out");
+      if (run.code == 0 || run.code == 127) continue;  // 127: the program itself could not be loaded
+      EXPECT_EQ(run.code, 2) << megabytes << " " << run.err;
+      EXPECT_THAT(run.err, StartsWith("error: ")) << megabytes;
+    }
+  }
 }
 
 TEST_F(InterruptionTest, APlaceThatCannotBeWrittenIsNamedBeforeAnythingRuns) {

@@ -57,7 +57,28 @@ TEST_F(MessagesTest, OfGrids) {
   EXPECT_THAT(grid("[sobol]\nsamples = 4\ncore.count = {low = 1}\n"), HasSubstr("lacks its low or its high end"));
   EXPECT_THAT(grid("pictures = 3\n" + axis), HasSubstr("pictures = 3 is no text; quotes around it would be right"));
   EXPECT_THAT(grid("fps = \"30\"\n" + axis), HasSubstr("is no number; one would be right"));
+  for (const char* fps : {"nan", "0", "-1", "inf", "1e9", "-0.0"}) {
+    write("grid.toml", "scenes = [\"tiny.obj\"]\nfps = " + std::string(fps) + "\n" + axis);
+    EXPECT_THAT(refused({"sweep", "grid.toml", "--dry-run"}), HasSubstr("error: grid.toml:2: --fps: ")) << fps;
+    write("grid.toml", "scenes = [\n{file = \"tiny.obj\", fps = " + std::string(fps) + "}]\n" + axis);
+    EXPECT_THAT(refused({"sweep", "grid.toml", "--dry-run"}), HasSubstr("error: grid.toml:2: --fps: ")) << fps;
+  }
   EXPECT_FALSE(exists("out"));
+}
+
+/// TOML can write it, a file name cannot have it, and a message would end there.
+TEST_F(MessagesTest, OfZeroBytes) {
+  const std::string right = "has a zero byte in it; a text without would be right\n";
+  write("grid.toml", "scenes = [\"tiny\\u0000.obj\"]\n[grid]\ncore.count = [1]\n");
+  EXPECT_EQ(refused({"sweep", "grid.toml", "--dry-run"}), "error: grid.toml:1: \"tiny\\x00.obj\" " + right);
+  EXPECT_EQ(grid("[grid]\ncore.count = [1]\n\"a\\u0000b\" = [2]\n"), "error: grid.toml:5: \"a\\x00b\" " + right);
+  EXPECT_EQ(stage("[camera]\nnode = \"a\\u0000\"\n"), "error: bad.stage.toml:4: \"a\\x00\" " + right);
+  write("bad.stage.toml", "[[file]]\npath = \"tiny.obj\\u0000\"\n");
+  EXPECT_EQ(refused({"run", "bad.stage.toml"}), "error: bad.stage.toml:2: \"tiny.obj\\x00\" " + right);
+  write("bad.toml", "[accel.static]\nkind = \"bvh2\\u0000\"\n");
+  EXPECT_EQ(refused({"run", "tiny.obj", "-c", "bad.toml"}), "error: bad.toml:2: \"bvh2\\x00\" " + right);
+  EXPECT_EQ(refused({"run", "tiny.obj", "--set", "accel.static.kind=\"kd\\u0000\""}),
+            "error: --set: \"kd\\x00\" " + right);
 }
 
 TEST_F(MessagesTest, OfTooManyPoints) {
@@ -91,6 +112,23 @@ TEST_F(MessagesTest, OfAPointThatSomebodyHasChanged) {
   const std::string point = "out/" + csv("out/points.csv").at(1).at(1);
   change(point + "/stats.json", [](Json& stats) { stats.erase("frames"); });
   EXPECT_THAT(refused({"sweep", "grid.toml", "-o", "out", "--collect"}), HasSubstr("is not what artu run writes"));
+  for (const char* text : {"{\"status\": 3}", "{}", "{\"status\": \"fine\"}", "[]", "3", "", "{"}) {
+    write(point + "/error.json", text);
+    EXPECT_THAT(refused({"sweep", "grid.toml", "-o", "out", "--collect"}), HasSubstr("/error.json: is no")) << text;
+  }
+}
+
+TEST_F(MessagesTest, OfTheDescriptionOfASweepThatSomebodyHasChanged) {
+  write("grid.toml", "scenes = [\"tiny.obj\"]\nsize = \"8x6\"\n[grid]\ncore.count = [1]\n");
+  fine({"sweep", "grid.toml", "-o", "out", "--quiet"});
+  for (const std::string& text : {std::string("[]"), std::string("3"), std::string("null"), std::string("\"a\""),
+                                  std::string(), std::string("{"), std::string(100000, '[')}) {
+    write("out/sweep.json", text);
+    EXPECT_THAT(refused({"sweep", "grid.toml", "-o", "out", "--resume"}), HasSubstr("out/sweep.json: is ")) << text;
+  }
+  write("out/sweep.json", "{}");
+  EXPECT_THAT(refused({"sweep", "grid.toml", "-o", "out", "--resume"}),
+              HasSubstr("out/sweep.json: is of another sweep"));
 }
 
 TEST_F(MessagesTest, OfRunsThatSomebodyHasChanged) {
@@ -109,6 +147,10 @@ TEST_F(MessagesTest, OfRunsThatSomebodyHasChanged) {
   run("d");
   change("d/stats.json", [](Json& stats) { stats["frames"][0]["violations"] = {3}; });
   EXPECT_THAT(refused({"report", "d"}), HasSubstr("violations holds what is no text"));
+  run("f");
+  std::filesystem::remove(path("f/frame_0000.png"));
+  std::filesystem::create_directory(path("f/frame_0000.png"));
+  EXPECT_EQ(refused({"report", "f"}), "error: f/frame_0000.png: is a folder; a file would be right\n");
   run("e");
   change("e/timeline.json", [](Json& timeline) { timeline["frames"][0]["at"] = Json::array(); });
   EXPECT_THAT(refused({"report", "e"}), HasSubstr("at is empty; one look or more would be right"));

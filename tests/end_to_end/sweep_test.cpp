@@ -186,6 +186,23 @@ TEST_F(SweepTest, APointThatFailsDoesNotStopTheSweep) {
   EXPECT_THAT(column("status", "broken/points.csv"), ::testing::ElementsAre("ok", "violated"));
 }
 
+/// What a point cannot help ends the sweep, and is tried again.
+TEST_F(SweepTest, AFileThatIsGoneForAMomentRefusesNoPoint) {
+  std::string values = "1";
+  for (int i = 2; i <= 64; ++i) values += ", " + std::to_string(i);
+  grid("pictures = \"none\"\n[grid]\ncore.queue_depth = [" + values + "]\n");
+  const Finished sweep =
+      program("/bin/sh",
+              {"-c", ARTU_BINARY " sweep grid.toml -o out --quiet & "
+                                 "until test -n \"$(ls out/points 2>/dev/null)\" || ! kill -0 $!; do sleep 0.01; done; "
+                                 "mv tiny.obj away; wait $!"});
+  EXPECT_EQ(sweep.code, 2);
+  EXPECT_THAT(sweep.err, HasSubstr("error: tiny.obj: cannot read: "));
+  std::filesystem::rename(path("away"), path("tiny.obj"));
+  fine({"sweep", "grid.toml", "-o", "out", "--resume", "--quiet"});
+  EXPECT_THAT(column("status"), ::testing::Each("ok"));
+}
+
 TEST_F(SweepTest, TheFrontOfWhatWasScreenedIsConfirmed) {
   grid(
       "objectives = [\"cycles_per_frame\", \"core.count\"]\npictures = \"none\"\n[screen]\nfidelity = \"analytic\"\n"

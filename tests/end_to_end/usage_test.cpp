@@ -1,5 +1,6 @@
 // Bad input: exit code 2, one line that names the place, nothing left behind.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -102,6 +103,37 @@ TEST_F(UsageTest, ASceneThatCannotBeReachedIsNotCalledMissing) {
   std::filesystem::create_symlink("loop.obj", path("loop.obj"));
   EXPECT_THAT(refused({"run", "loop.obj"}),
               AllOf(HasSubstr("loop.obj: cannot be read: "), HasSubstr("would be right")));
+}
+
+/// A pipe that nobody writes to would be waited for.
+TEST_F(UsageTest, WhatIsNoRegularFileIsRefused) {
+  write_scene("tiny.obj");
+  fine({"run", "tiny.obj", "--size", "8x8", "-o", "a", "--quiet"});
+  std::filesystem::copy(path("a"), path("b"), std::filesystem::copy_options::recursive);
+  for (const char* name : {"b/stats.json", "pipe.obj", "pipe.glb", "pipe.stage.toml", "pipe.trace", "pipe.png"}) {
+    std::filesystem::remove(path(name));
+    ASSERT_EQ(mkfifo(path(name).c_str(), 0600), 0);
+  }
+  write("a.stage.toml", "[[file]]\npath = \"pipe.obj\"\n");
+  write("grid.toml", "scenes = [\"pipe.obj\"]\n[grid]\ncore.count = [1]\n");
+  const auto before = content();
+  const auto pipe = HasSubstr("is a pipe; a regular file would be right");
+  for (const std::string scene : {"pipe.obj", "pipe.glb", "pipe.stage.toml", "pipe.trace"}) {
+    for (const std::string command : {"run", "check", "scaling", "reuse", "quality", "precision", "bench"}) {
+      EXPECT_THAT(refused({command, scene}), AllOf(HasSubstr(scene + ": "), pipe)) << command;
+    }
+    EXPECT_THAT(refused({"import", scene, "-o", "x.trace"}), pipe);
+  }
+  EXPECT_THAT(refused({"run", "a.stage.toml"}),
+              HasSubstr("a.stage.toml:2: [[file]]: no such file: ./pipe.obj (no regular file)"));
+  EXPECT_THAT(refused({"sweep", "grid.toml", "--dry-run"}), AllOf(HasSubstr("grid.toml:1: "), pipe));
+  EXPECT_THAT(refused({"sweep", "pipe.stage.toml", "-o", "out"}), pipe);
+  EXPECT_THAT(refused({"run", "tiny.obj", "-c", "pipe.obj"}), pipe);
+  EXPECT_THAT(refused({"run", "tiny.obj", "-c", "/dev/zero"}), HasSubstr("/dev/zero: is a device; a regular file"));
+  EXPECT_THAT(refused({"diff", "a/frame_0000.png", "pipe.png"}), pipe);
+  EXPECT_THAT(refused({"explain", "b"}), pipe);
+  EXPECT_THAT(refused({"report", "b"}), pipe);
+  EXPECT_EQ(content(), before);
 }
 
 TEST_F(UsageTest, ASeedOfNothingIsRefused) {

@@ -147,6 +147,8 @@ def obj_seeds():
         "\n%MTL\nnewmtl one\nKd 1 0.5 0\nKs 0.5 0.5 0.5\nNs 10\nNi 1.5\nd 0.5\nillum 5\nmap_Kd texture.png\n"
         "newmtl two\nKe 1 1 1\nTf 1 1 1\nTr 0.5\n")
     put("obj", "plain", "v 0 0 0\nv 1e0 0 0\nv 0 1.5e-1 0\nv 1 1 1\nv 2 0 1\nf 1 2 3\nf 1 2 4 5 3\nl 1 2\np 1\n")
+    put("obj", "corners", "\ufeffv 0 0 0\rv 1 0 0\r\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf +1/1/1 2/-1/-1 3\nf 01//1 -2 3//+1\n")
+    put("obj", "wrapped", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4294967299\n")
 
 
 def stage_seeds():

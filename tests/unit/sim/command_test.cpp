@@ -2,8 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <new>
 #include <stdexcept>
+#include <system_error>
 
 #include "sim/command/commands.h"
 #include "sim/command/ranges.h"
@@ -80,6 +82,12 @@ int code_of(const Exception& exception, std::string& line) {
   return code;
 }
 
+TEST(ExitCode, ControlCharactersOfAMessageAreShown) {
+  std::string line;
+  EXPECT_EQ(code_of(InputError(std::string("a\0b", 3), "\033[2J\t\x7f"), line), 2);
+  EXPECT_EQ(line, "error: a\\x00b: \\x1b[2J\\x09\\x7f\n");
+}
+
 TEST(ExitCode, IsThatOfTheKindOfFailure) {
   std::string line;
   EXPECT_EQ(code_of(InputError("a.glb", "bad; good would be right"), line), 2);
@@ -91,6 +99,11 @@ TEST(ExitCode, IsThatOfTheKindOfFailure) {
   EXPECT_EQ(code_of(std::logic_error("impossible"), line), 4);
   EXPECT_EQ(line, "error: internal: impossible\n");
   EXPECT_EQ(code_of(std::bad_alloc(), line), 2);
+  const auto folder = std::make_error_code(std::errc::is_a_directory);
+  EXPECT_EQ(code_of(std::filesystem::filesystem_error("file_size", "a.png", folder), line), 2);
+  EXPECT_EQ(line, "error: a.png: Is a directory; a file or folder that can be used would be right\n");
+  EXPECT_EQ(code_of(std::system_error(folder, "poll"), line), 4) << "not what could not be printed";
+  EXPECT_EQ(line, "error: internal: poll: Is a directory\n");
   EXPECT_EQ(exit_code_of([] { return 1; }), 1);
 }
 
