@@ -78,7 +78,7 @@ void OutputFile::commit() {
   if (std::rename(partial_.c_str(), path_.c_str()) != 0) fail("rename the file to " + path_, errno);
   committed_ = true;
   if (::close(fd_.release()) != 0)
-    throw InputError(path_, std::string("cannot write the file: ") + std::strerror(errno));
+    throw FileError(path_, std::string("cannot write the file: ") + std::strerror(errno));
 }
 
 // Not blocking, or a named pipe would wait for a writer before it can be refused.
