@@ -6,7 +6,7 @@ import json
 import re
 import sys
 
-THROWS = re.compile(r"\b(throw InputError|fail_at|fail|refuse|truncated)\s*\(")
+THROWS = re.compile(r"\b(throw InputError|throw FileError|fail_at|fail|refuse|truncated)\s*\(")
 DECLARES = re.compile(r"^\s*(//|\[\[noreturn\]\]|void |.*\bvoid \w*(::)?(fail|refuse|truncated))")
 
 

@@ -44,7 +44,7 @@ std::uint32_t add_work(const BinaryNode& node, std::uint32_t on_chip, std::uint3
   return count;
 }
 
-[[noreturn]] void fail(const char* what, RTCError error) {
+[[noreturn]] void embree_failed(const char* what, RTCError error) {
   if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   throw std::runtime_error(std::string("Embree: ") + what + ", error " + std::to_string(error));
 }
@@ -82,7 +82,7 @@ BinaryTree::BinaryTree(const std::vector<Box>& boxes, const TreeRecipe& recipe) 
   } else {
     // The lowest instruction set and one thread: no machine-dependent choices.
     device_ = rtcNewDevice("threads=1,isa=sse2");
-    if (device_ == nullptr) fail("no device for the tree builder", rtcGetDeviceError(nullptr));
+    if (device_ == nullptr) embree_failed("no device for the tree builder", rtcGetDeviceError(nullptr));
     bvh_ = rtcNewBVH(device_);
     root_ = build_sah(bvh_, boxes, recipe.leaf_size);
     // Halving is for what the builder cannot split, not another tree for who has less memory.

@@ -26,7 +26,7 @@ Json parse(const std::string& file) {
 
 /// Of a point's file that somebody has changed.
 InputError changed(const std::string& file) {
-  return {file, "is not what artu run writes; the folder without this point would be right"};
+  return InputError(file, "is not what artu run writes; the folder without this point would be right");
 }
 
 std::string cell_text(const Json& cell) {
